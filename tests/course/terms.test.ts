@@ -64,7 +64,7 @@ const TERMS: Partial<Record<TermId, Readonly<Record<Language, OneTerm>>>> = {
 const NEVER: Readonly<Record<Language, readonly RegExp[]>> = {
   en: [],
   // a prompt is an Eingabe; the Spanfläche is a face of the tool, not the section of the chip, and that has one name
-  de: [/\bAbfragen?\b/, /Spanfläche/, /Spanquerschnitt/, /aus dem Gedächtnis/],
+  de: [/\bAbfragen?\b/, /Spanfläche/, /Spanungsquerschnitt/, /aus dem Gedächtnis/],
   fr: [/\binvites?\b/i],
   // the control, the axis
   zh: [/(?<!数)控制系统/, /轴心/],

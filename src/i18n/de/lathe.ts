@@ -51,7 +51,7 @@ export const lathe = {
     none: "Keine Farben",
     roughness: "Rautiefe Rz",
     depth: "Schnitttiefe",
-    chip: "Spanungsquerschnitt",
+    chip: "Spanquerschnitt",
     feed: "Vorschub pro Umdrehung",
     speed: "Schnittgeschwindigkeit und Drehzahlbegrenzung",
   },
@@ -97,7 +97,7 @@ export const lathe = {
   stepOnly: (step, of) => `Schritt ${step} von ${of}`,
   outside: "Zwischen den Zyklen",
   block: (block) => `Satz ${block}`,
-  chip: { ap: "Schnitttiefe", f: "Vorschub je Umdrehung", h: "Spanungsdicke", b: "Spanungsbreite", A: "Spanungsquerschnitt" },
+  chip: { ap: "Schnitttiefe", f: "Vorschub je Umdrehung", h: "Spanungsdicke", b: "Spanungsbreite", A: "Spanquerschnitt" },
   atStart: "Am Anfang",
   atEnd: "Am Ende",
 

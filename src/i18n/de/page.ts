@@ -47,7 +47,7 @@ export const page = {
     foundExample: (title) => `Beispiel: ${title}`,
     beyond: "Was keine Steuerung zeigt",
     beyondAll: {
-      typing: { what: "Beim Eingeben", how: "Schnitte, wirkliche Zustellung, Zeit und Spanungsquerschnitt" },
+      typing: { what: "Beim Eingeben", how: "Schnitte, wirkliche Zustellung, Zeit und Spanquerschnitt" },
       residue: { what: "Restmaterial", how: "wo, warum, und welches Werkzeug hinkommt" },
       proof: { what: "Prüfung", how: "keine Konturverletzung, kein Eilgang im Material; sonst der Satz, der es verursacht" },
       steps: { what: "Schritt für Schritt", how: "der Ablauf aus dem Handbuch läuft mit dem Werkzeug mit" },
@@ -120,7 +120,7 @@ export const page = {
     infeed: "Zustellung",
     infeedUnit: "mm je Schnitt",
     time: "Zeit",
-    chip: "Spanungsquerschnitt",
+    chip: "Spanquerschnitt",
     residual: "Restmaterial",
     none: "keins",
     unknown: "–",

@@ -13,7 +13,7 @@ const steps = [
 ];
 const thread = [
   "Jeder Schnitt läuft vom Anlauf bis zum Ende des Gewindes, an die Spindel gekoppelt; dazwischen fährt das "
-  + "Werkzeug im Eilgang zurück. Bei konstantem Spanungsquerschnitt wächst die Tiefe mit der Wurzel der Schnittnummer.",
+  + "Werkzeug im Eilgang zurück. Bei konstantem Spanquerschnitt wächst die Tiefe mit der Wurzel der Schnittnummer.",
   "Der Nenndurchmesser liegt beim Außengewinde an der Spitze, beim Innengewinde am Grund. Geschnitten wird von "
   + "Start-Z nach End-Z; daraus und aus der Drehrichtung der Spindel folgt, ob ein Rechts- oder ein Linksgewinde entsteht. "
   + "Unsere Auslegung; an der Steuerung prüfen.",

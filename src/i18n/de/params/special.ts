@@ -14,7 +14,7 @@ export const special = {
     label: "Schnittlinien",
     explanation: "Wie das Aufmaß in Schnitte aufgeteilt wird.",
     choices: {
-      0: "konstanter Spanungsquerschnitt: längere Schnitte sind dünner, jeder nimmt dieselbe Fläche",
+      0: "konstanter Spanquerschnitt: längere Schnitte sind dünner, jeder nimmt dieselbe Fläche",
       1: "äquidistant: jeder Schnitt gleich dick",
     },
   },

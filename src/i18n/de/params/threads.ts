@@ -101,7 +101,7 @@ export const threads = {
     prompt: "Maximale Schnitttiefe?",
     printed,
     label: "Erste Zustellung",
-    explanation: "Tiefe des ersten Schnitts im Radius. Bei konstantem Spanungsquerschnitt wird jede weitere Zustellung "
+    explanation: "Tiefe des ersten Schnitts im Radius. Bei konstantem Spanquerschnitt wird jede weitere Zustellung "
       + "kleiner, aber nie kleiner als ein Zwanzigstel der ersten.",
   },
   infeedAngle: {
@@ -116,7 +116,7 @@ export const threads = {
     printed,
     label: "Zustellart",
     explanation: "Wie die Tiefe auf die Schnitte verteilt wird.",
-    choices: { 0: "konstanter Spanungsquerschnitt", 1: "konstante Eindringtiefe" },
+    choices: { 0: "konstanter Spanquerschnitt", 1: "konstante Eindringtiefe" },
   },
   startingAngle: {
     prompt: "Startwinkel?",
