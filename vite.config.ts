@@ -5,6 +5,7 @@ import react from "@vitejs/plugin-react";
 import { runnerImport, type Plugin } from "vite";
 import { configDefaults, defineConfig } from "vitest/config";
 import { bundle, pageObjects } from "./scripts/bundle.mjs";
+import { LongestFirst } from "./scripts/longest-first.ts";
 import { offline } from "./scripts/offline.ts";
 import { contentPolicy } from "./scripts/serve.mjs";
 import { MEDIA } from "./src/app/media.ts";
@@ -176,7 +177,7 @@ export default defineConfig({
   server: { host: "127.0.0.1", port: 5173 },
   preview: { host: "127.0.0.1", port: 4173 },
   test: {
-    sequence: { shuffle: { files: false, tests: true }, seed },
+    sequence: { shuffle: { files: false, tests: true }, seed, sequencer: LongestFirst },
     // All cores: one is left free otherwise, which of two is half.
     maxWorkers: availableParallelism(),
     // For what never ends; a slow machine may take long.

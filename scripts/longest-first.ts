@@ -1,0 +1,28 @@
+import type { TestSpecification, Vitest } from "vitest/node";
+
+/** Test files that work long, the longest first. Files are begun by their size where nothing else is known, and these are short. */
+const LONGEST = ["/tests/laws/cut.test.ts", "/tests/help/help.test.ts", "/tests/laws/"];
+
+const rank = ({ moduleId }: TestSpecification): number => {
+  const found = LONGEST.findIndex((part) => moduleId.includes(part));
+  return found < 0 ? LONGEST.length : found;
+};
+
+/** The usual order of test files, but what works longest is begun first: begun last, one core would wait for the other. */
+export class LongestFirst {
+  constructor(private readonly run: Vitest) {}
+
+  private async usual() {
+    const { BaseSequencer } = await import("vitest/node");
+    return new BaseSequencer(this.run);
+  }
+
+  async shard(files: TestSpecification[]): Promise<TestSpecification[]> {
+    return (await this.usual()).shard(files);
+  }
+
+  async sort(files: TestSpecification[]): Promise<TestSpecification[]> {
+    const sorted = await (await this.usual()).sort(files), projects = new Set(sorted.map(({ project }) => project));
+    return [...projects].flatMap((each) => sorted.filter(({ project }) => project === each).sort((a, b) => rank(a) - rank(b)));
+  }
+}
