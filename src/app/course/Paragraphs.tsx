@@ -1,17 +1,15 @@
 import { Fragment } from "react";
 import { Said, SaidOnPage } from "../guide/Said.tsx";
+import { numbersApart } from "./numbers-apart.ts";
 import "./paragraphs.css";
 
 /** No line ends before a mark that French sets apart, nor behind its opening quote. */
 const together = (text: string): string => text.replaceAll(/ (?=[?!:;»%])|(?<=«) /g, "\u00a0");
 
-/** A word in which a minus stands before a digit, such as Z-35: it would break behind the minus. */
-const NUMBER = /(\S*-\d\S*)/;
-
 /** A text in which no number breaks. */
 const unbroken = (text: string) =>
-  text.split(NUMBER).map((piece, k) =>
-    NUMBER.test(piece) ? <span key={k} className="unbroken">{piece}</span> : <Fragment key={k}>{piece}</Fragment>
+  numbersApart(text).map((piece, k) =>
+    k % 2 === 1 ? <span key={k} className="unbroken">{piece}</span> : <Fragment key={k}>{piece}</Fragment>
   );
 
 interface Props {
