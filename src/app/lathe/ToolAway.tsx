@@ -13,8 +13,8 @@ import type { Viewport } from "./viewport.ts";
 /** Width of the tools where they float over the right edge of the picture, pixels. */
 const TOOLS = 56;
 
-/** From the edge to the mark, and from the mark to what it says, pixels. */
-const [INSET, BESIDE] = [14, 14];
+/** From the edge to the mark, from the mark to what it says, and from one of its lines to the next, pixels. */
+const [INSET, BESIDE, LINE] = [14, 14, 15];
 
 /** An arrow at the edge of the picture to a tool that stands outside it, with the place where it is. */
 export function ToolAway({ viewport, playback, steps }: { readonly viewport: Viewport; readonly playback: PlaybackStore;
@@ -24,7 +24,8 @@ export function ToolAway({ viewport, playback, steps }: { readonly viewport: Vie
   const language = useSettings((s) => s.language);
   useEffect(() => {
     const element = group.current, arrow = element?.querySelector("path"), text = element?.querySelector("text");
-    if (!element || !arrow || !text) return undefined;
+    const [first, second] = element?.querySelectorAll("tspan") ?? [];
+    if (!element || !arrow || !text || !first || !second) return undefined;
     let room = { left: 0, right: 0, top: 0, bottom: 0 }, isShown = false;
     const paint = () => {
       const tip = tipAt(steps, playback.shown()), mark = tip && edgeMark(toScreen(viewport.get(), tip), room);
@@ -34,10 +35,12 @@ export function ToolAway({ viewport, playback, steps }: { readonly viewport: Vie
       const { at: { x, y }, turn } = mark, toLeft = x > (room.left + room.right) / 2;
       const { x: diameter, z } = placeText(language, tip);
       arrow.setAttribute("transform", `translate(${x} ${y}) rotate(${turn})`);
-      text.setAttribute("x", String(x + (toLeft ? -BESIDE : BESIDE)));
-      text.setAttribute("y", String(Math.max(y, INSET + 4) + 4));
+      // Two short lines: what lies beside the mark stays to be seen.
+      for (const line of [first, second]) line.setAttribute("x", String(x + (toLeft ? -BESIDE : BESIDE)));
+      text.setAttribute("y", String(Math.min(Math.max(y, room.top + LINE), room.bottom - LINE) - 3));
       text.setAttribute("text-anchor", toLeft ? "end" : "start");
-      text.textContent = `X⌀ ${diameter}  Z ${z}`;
+      first.textContent = `X⌀ ${diameter}`;
+      second.textContent = `Z ${z}`;
     };
     const look = () => {
       const { width, height } = viewport.size(), floating = holds("narrow") && !holds("phone") ? TOOLS : 0;
@@ -54,7 +57,10 @@ export function ToolAway({ viewport, playback, steps }: { readonly viewport: Vie
   return (
     <g ref={group} className="tool-away" aria-hidden="true" style={{ display: "none" }}>
       <path d="M8 0L-6 6V-6Z" />
-      <text className="number" />
+      <text className="number">
+        <tspan />
+        <tspan dy={LINE} />
+      </text>
     </g>
   );
 }

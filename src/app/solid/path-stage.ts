@@ -1,4 +1,4 @@
-import { Group, InstancedInterleavedBuffer, InterleavedBufferAttribute, LessDepth } from "three";
+import { DoubleSide, Group, InstancedInterleavedBuffer, InterleavedBufferAttribute, LessDepth } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
@@ -108,7 +108,15 @@ export function createPathStage(): PathStage {
   };
   const put = (of: StageLines, geometry: LineSegmentsGeometry, opacity: number, fades: boolean) => {
     const { wide, dash } = formOf(of.look);
-    const material = new LineMaterial({ linewidth: wide, transparent: true, opacity, dashed: dash !== undefined, depthFunc: LessDepth });
+    // Where X grows downwards the world is turned over, and a line would show its back.
+    const material = new LineMaterial({
+      linewidth: wide,
+      transparent: true,
+      opacity,
+      dashed: dash !== undefined,
+      depthFunc: LessDepth,
+      side: DoubleSide,
+    });
     if (dash) [material.dashSize, material.gapSize] = dash;
     const line = new LineSegments2(geometry, material);
     line.frustumCulled = false;
