@@ -50,12 +50,23 @@ export function firstInto(area: readonly Ring[], { run, simulation }: Answer): P
   return stated ? { step: stated.step, block: stated.block } : {};
 }
 
-/** The operation that should have taken an area, with the reason why it did not; none where no operation works there. */
-function ownerOf(outline: Ring, { run, simulation }: Answer): Pick<TaskMark, "operation" | "block" | "reason"> {
+/** The cycle call whose contour passes nearest to a place; where none makes a contour the last one. */
+function nearestCall({ run }: Answer, place: Pt): number {
+  const apart = run.operations.map(({ plan }) =>
+    plan.contour.reduce((least, segment) => Math.min(least, part.distanceTo(segment, place)), Infinity)
+  );
+  const least = Math.min(...apart);
+  return Number.isFinite(least) ? apart.lastIndexOf(least) : run.operations.length - 1;
+}
+
+/** The operation that should have taken an area, with the reason why it did not; without a cycle call none. */
+function ownerOf(outline: Ring, answer: Answer): Pick<TaskMark, "operation" | "block" | "reason"> {
+  const { run, simulation } = answer;
   const told = simulation.proof.residual.map((r) => ({ r, area: shared([outline], [r.ring]) })).filter(({ area }) => area > LEAST);
   const most = told.toSorted((a, b) => b.area - a.area)[0]?.r;
   const place = middleOf([outline]);
-  const operation = most?.operation ?? run.operations.findLastIndex((o) => isInside(o.plan.area, place));
+  const own = most?.operation ?? run.operations.findLastIndex((o) => isInside(o.plan.area, place));
+  const operation = own >= 0 ? own : nearestCall(answer, place);
   const called = run.operations[operation];
   return called ? { operation, block: called.block, ...(most && { reason: most.reason }) } : {};
 }
@@ -69,8 +80,10 @@ function marksOf(
 ): TaskMark[] {
   const value = areaOf(area);
   if (value <= limit) return [{ rule, passed: true, value, limit }];
-  const regions = regionsOf(area, LEAST);
-  return (regions.length > 0 ? regions : regionsOf(area, 0)).toSorted((a, b) => b.area - a.area).slice(0, MOST).map((region) => ({
+  const found = regionsOf(area, LEAST), regions = (found.length > 0 ? found : regionsOf(area, 0)).toSorted((a, b) => b.area - a.area);
+  // What may be there by itself is not what is wrong: the fillet in a corner beside a shoulder that was forgotten.
+  const counts = regions.filter((_, i) => regions.slice(i).reduce((sum, region) => sum + region.area, 0) > limit);
+  return counts.slice(0, MOST).map((region) => ({
     rule,
     passed: false,
     value: region.area,

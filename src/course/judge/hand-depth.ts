@@ -1,3 +1,4 @@
+import type { Step } from "../../kernel/step.ts";
 import { loadAlong, type PathLoad } from "../../sim/load/along.ts";
 import type { Answer, TaskMark } from "./judgement.ts";
 
@@ -9,15 +10,28 @@ function loadOf({ run }: Answer): PathLoad {
   }
 }
 
-/** Moves outside of cycles that take more than `limit` mm square to their path, each once with the most that it takes. */
+/** Inserts that cut along, whose depth is what stands over their path; the width of a blade is none. */
+const ALONG: ReadonlySet<string> = new Set(["ROUGH", "FINISH", "BUTTON"]);
+/** A cut lies along the axis within this, mm. */
+const LEVEL = 0.001;
+
+/** Finishing cuts along a cylinder: what was never roughed they take at once. */
+const isFinishAlong = ({ operation, move, from, tool }: Step): boolean =>
+  operation !== null && move.phase === "finish" && move.kind === "feed" && Math.abs(move.to.r - from.r) < LEVEL && ALONG.has(tool.TYPE);
+
+/** Moves outside of cycles and finishing cuts that take more than `limit` mm square to their path, each once with the most it takes. */
 export function unknownDepths(answer: Answer, limit: number): Partial<TaskMark>[] {
   const { steps } = answer.run;
-  if (!steps.some((step) => step.operation === null && step.move.kind !== "rapid")) return [];
+  const isLooked = (step: Step) => (step.operation === null ? step.move.kind !== "rapid" : isFinishAlong(step));
+  if (!steps.some(isLooked)) return [];
   const load = loadOf(answer);
   const deepest = new Map<number, number>();
-  load.step.forEach((step, i) => {
-    const [depth, own] = [load.depth[i] ?? 0, steps[step]];
-    if (own?.operation === null && depth > Math.max(limit, deepest.get(step) ?? 0)) deepest.set(step, depth);
+  load.step.forEach((index, i) => {
+    const [depth, step] = [load.depth[i] ?? 0, steps[index]];
+    if (step && isLooked(step) && depth > Math.max(limit, deepest.get(index) ?? 0)) deepest.set(index, depth);
   });
-  return [...deepest].map(([step, value]) => ({ value, limit, step, block: steps[step]?.block ?? 0 }));
+  return [...deepest].map(([index, value]) => {
+    const { operation = null, block = 0 } = steps[index] ?? {};
+    return { value, limit, step: index, block, ...(operation !== null && { operation }) };
+  });
 }

@@ -2,7 +2,7 @@ import { REAL_AREA } from "../../kernel/real-area.ts";
 import { stockIssues } from "../../sim/issues.ts";
 import type { StockFinding } from "../../sim/simulation.ts";
 import type { Task } from "../task.ts";
-import { beyond, missingMarks, residueMarks } from "./difference.ts";
+import { beyond, distanceTo, missingMarks, residueMarks } from "./difference.ts";
 import { areaOf } from "../../kernel/area.ts";
 import { RULES, type Answer, type TaskJudgement, type TaskMark, type RuleName } from "./judgement.ts";
 import { ruleMarks } from "./rules.ts";
@@ -14,6 +14,8 @@ import { wantedPart, type WantedPart } from "../wanted-part.ts";
 /** What may stay beside the wanted part and be missing from it where a task does not say, mm². */
 const RESIDUE = 0.05;
 const MISSING = 0.01;
+/** A groove that is cut beside the wanted one is its fault within this, mm. */
+const ASIDE = 2;
 
 const FOUND = { rapidInStock: "rapid", holderContact: "holder", gouge: "gouge" } as const satisfies Record<StockFinding["kind"], RuleName>;
 
@@ -99,12 +101,14 @@ function partMarks(task: Task, wanted: WantedPart, answer: Answer): TaskMark[] {
   const isOther = run.blank.length === 0 || areaOf(lacks) + areaOf(adds) > REAL_AREA;
   const blank: TaskMark = { rule: "blank", passed: !isOther, ...(isOther && other.length > 0 && { rings: other }) };
   if (run.blank.length === 0) return [blank];
-  return [
-    blank,
-    ...missingMarks(wanted.solid, final, task.rules.missing ?? MISSING, answer),
-    ...threadMarks(task.part?.threads ?? [], answer),
-    ...residueMarks(wanted.rings, final, task.rules.residue ?? RESIDUE, answer),
-  ];
+  const threads = threadMarks(task.part?.threads ?? [], answer);
+  const missing = missingMarks(wanted.solid, final, task.rules.missing ?? MISSING, answer);
+  // Grooves at another pitch, or on another diameter, are told once, by the thread, and not one by one.
+  const isOfThread = ({ operation, place }: TaskMark) =>
+    run.operations[operation ?? -1]?.plan.thread !== undefined && place !== undefined
+    && threads.some(({ passed, rings }) => !passed && rings && distanceTo(rings, place) < ASIDE);
+  const besides = missing.filter((mark) => mark.passed || !isOfThread(mark));
+  return [blank, ...besides, ...threads, ...residueMarks(wanted.rings, final, task.rules.residue ?? RESIDUE, answer)];
 }
 
 /** In the order of the rules; what is wrong before what is right. */

@@ -36,7 +36,7 @@ function depth(limit: number, answer: Answer): TaskMark[] {
     const by = deepest && deepest.depth >= infeed ? { step: deepest.step } : {};
     return { value: Math.max(deepest?.depth ?? 0, infeed), limit, ...by, ...ofCall(operation, index) };
   });
-  const all = [...found, ...unknownDepths(answer, limit + DEPTH_SLACK)];
+  const all = [...found, ...unknownDepths(answer, limit + DEPTH_SLACK).map((mark) => ({ ...mark, limit }))];
   const most = all.reduce((sum, { value = 0 }) => Math.max(sum, value), 0);
   return marks("depth", all.filter(({ value = 0 }) => value > limit + DEPTH_SLACK), { value: most, limit });
 }

@@ -82,6 +82,18 @@ export const courseTask = {
     gouge: "Die Kontur ist verletzt",
     missing: (mm) => `${mm} mm zu viel abgetragen`,
     residue: (mm) => `Es bleibt Material stehen, bis ${mm} mm dick`,
+    noThread: (name) => `Das Gewinde ${name} fehlt: Zwischen Außen- und Kernmaß ist keine Rille geschnitten`,
+    threadPitch: (name, is, asked) => `Das Gewinde ${name} hat die Steigung ${is} mm statt ${asked}`,
+    turnedRound: {
+      inside: "Mit diesen Werten dreht der Zyklus innen: "
+        + "Seine Kontur liegt über dem Startpunkt. Erst die Durchmesser und den Start ansehen, dann das Werkzeug",
+      outside: "Mit diesen Werten dreht der Zyklus außen: "
+        + "Seine Kontur liegt unter dem Startpunkt. Erst die Durchmesser und den Start ansehen, dann das Werkzeug",
+      away: "Mit diesen Werten schneidet der Zyklus vom Futter weg: "
+        + "Sein Ende liegt vor seinem Start. Erst nach einem vergessenen Minus suchen, dann beim Werkzeug",
+      towards: "Mit diesen Werten schneidet der Zyklus zum Futter hin: "
+        + "Sein Ende liegt hinter seinem Start. Erst die Vorzeichen in Z ansehen, dann das Werkzeug",
+    },
     thread: (name) => `Das Gewinde ${name} ist nicht auf ganzer Länge, in voller Tiefe und mit seiner Steigung geschnitten`,
     leftBy: (what, reason) => `${what}; Grund: ${reason}`,
     size: {

@@ -80,6 +80,18 @@ export const courseTask = {
     gouge: "The contour is cut into",
     missing: (mm: string) => `${mm} mm too much was cut`,
     residue: (mm: string) => `Steel stays, up to ${mm} mm thick`,
+    noThread: (name: string) => `The thread ${name} is not there: no groove is cut between its crest and its root`,
+    threadPitch: (name: string, is: string, asked: string) => `The thread ${name} has a pitch of ${is} mm in place of ${asked}`,
+    turnedRound: {
+      inside: "As the values stand, this cycle turns a bore: "
+        + "its contour lies above the start point. Look at the diameters and at the start before the tool",
+      outside: "As the values stand, this cycle turns the outside: "
+        + "its contour lies below the start point. Look at the diameters and at the start before the tool",
+      away: "As the values stand, this cycle cuts away from the chuck: "
+        + "its end lies in front of its start. Look for a forgotten minus before the tool",
+      towards:
+        "As the values stand, this cycle cuts towards the chuck: its end lies behind its start. Look at the signs along Z before the tool",
+    },
     thread: (name: string) => `The thread ${name} is not cut all along, to its depth and at its pitch`,
     leftBy: (what: string, reason: string) => `${what}, left by ${reason}`,
     size: {

@@ -80,6 +80,18 @@ export const courseTask = {
     gouge: "Le contour est entamé",
     missing: (mm) => `${mm} mm enlevés en trop`,
     residue: (mm) => `Il reste de la matière, jusqu’à ${mm} mm d’épaisseur`,
+    noThread: (name) => `Le filetage ${name} manque : aucun sillon entre crête et fond`,
+    threadPitch: (name, is, asked) => `Le filetage ${name} a un pas de ${is} mm au lieu de ${asked}`,
+    turnedRound: {
+      inside: "Avec ces valeurs, le cycle usine un alésage : "
+        + "son contour est au-dessus du point de départ. Regarder d’abord les diamètres et le départ, puis l’outil",
+      outside: "Avec ces valeurs, le cycle usine l’extérieur : "
+        + "son contour est sous le point de départ. Regarder d’abord les diamètres et le départ, puis l’outil",
+      away: "Avec ces valeurs, le cycle s’éloigne du mandrin : "
+        + "sa fin est devant son départ. Chercher d’abord un moins oublié, puis regarder l’outil",
+      towards:
+        "Avec ces valeurs, le cycle va vers le mandrin : sa fin est derrière son départ. Regarder d’abord les signes en Z, puis l’outil",
+    },
     thread: (name) => `Le filetage ${name} n’est pas taillé sur toute sa longueur, à sa profondeur et à son pas`,
     leftBy: (what, reason) => `${what}, laissée par ${reason}`,
     size: {

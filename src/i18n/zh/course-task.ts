@@ -79,6 +79,14 @@ export const courseTask = {
     gouge: "轮廓被切伤",
     missing: (mm) => `多切了 ${mm} mm`,
     residue: (mm) => `有残留，最厚 ${mm} mm`,
+    noThread: (name) => `缺少螺纹 ${name}：牙顶与牙底之间没有切出螺旋槽`,
+    threadPitch: (name, is, asked) => `螺纹 ${name} 的螺距为 ${is} mm，应为 ${asked}`,
+    turnedRound: {
+      inside: "按这些数值，循环在车内孔：轮廓位于起点之上。先看直径和起点，再看刀具",
+      outside: "按这些数值，循环在车外圆：轮廓位于起点之下。先看直径和起点，再看刀具",
+      away: "按这些数值，循环背离卡盘切削：终点在起点之前。先查是否漏了负号，再看刀具",
+      towards: "按这些数值，循环朝卡盘切削：终点在起点之后。先看 Z 向符号，再看刀具",
+    },
     thread: (name) => `螺纹 ${name} 未按全长、全深和规定螺距车出`,
     leftBy: (what, reason) => `${what}，原因：${reason}`,
     size: {

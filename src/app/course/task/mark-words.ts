@@ -1,3 +1,4 @@
+import { askedWay } from "../../../course/judge/asked-way.ts";
 import type { Answer, TaskMark } from "../../../course/judge/judgement.ts";
 import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
@@ -11,6 +12,8 @@ import { sizeGoal, toleranced, valueGoal } from "./goal-words.ts";
 
 /** Decimals of thicknesses: the second says no more of a place than the first. */
 const THICK = 2;
+/** From this share of a pitch on it is another one. */
+const OTHER_PITCH = 0.02;
 
 /** What the words of a mark are made of. */
 export interface MarkWording {
@@ -45,6 +48,14 @@ export function placedText(mark: TaskMark, wording: Pick<MarkWording, "t" | "lan
   return mark.place ? wording.t.where.at(said, ...placeWords(wording.language, mark.place)) : said;
 }
 
+/** What is wrong with a thread: that there is none, its pitch, or that it is not whole. */
+function threadText({ about, value = 0, limit }: TaskMark, { t: { wrong }, language }: Pick<MarkWording, "t" | "language">): string {
+  const name = String(about);
+  if (value === 0) return wrong.noThread(name);
+  const isOther = limit !== undefined && Math.abs(value - limit) > OTHER_PITCH * limit;
+  return isOther ? wrong.threadPitch(name, formatNumber(language, value, THICK), formatNumber(language, limit)) : wrong.thread(name);
+}
+
 function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording): string {
   const { rule, value, limit, about, rings = [] } = mark;
   const number = (n: number | undefined, decimals = 3) => (n === undefined ? "–" : formatNumber(language, n, decimals));
@@ -54,6 +65,8 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
     case "errors":
     case "clean": {
       const cycle = mark.operation === undefined ? null : (answer.run.operations[mark.operation]?.cycle ?? null);
+      const way = mark.issue && askedWay(mark.issue);
+      if (way) return wrong.turnedRound[way];
       return mark.issue ? issueText(texts, language, mark.issue, cycle).replace(/[.。]$/, "") : wrong.gouge;
     }
     case "unproved":
@@ -66,7 +79,7 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
     case "missing":
       return wrong.missing(thick());
     case "residue":
-      if (about !== undefined) return wrong.thread(String(about));
+      if (about !== undefined) return threadText(mark, { t, language });
       return mark.reason ? wrong.leftBy(wrong.residue(thick()), texts.messages.reasons[mark.reason]) : wrong.residue(thick());
     case "size":
     case "rz":

@@ -1,0 +1,22 @@
+import { tipDirection } from "../../kernel/insert.ts";
+import type { TipOrientation } from "../../kernel/tool.ts";
+import type { RunFinding } from "../../program/run-types.ts";
+
+/** Where the values of a cycle want it to cut: in a bore or outside, away from the chuck or towards it. */
+export type AskedWay = "inside" | "outside" | "away" | "towards";
+
+/**
+ * Where values want a cycle to cut when that is just the other side of what its tool is for: a forgotten minus, a radius for a diameter
+ * and a start point within the steel turn a cycle round, and the tool is refused for it. Null where the tool itself is the wrong one.
+ */
+export function askedWay(issue: RunFinding["issue"]): AskedWay | null {
+  if (issue.code !== "toolUnfit") return null;
+  const { type, types, orientation, orientations } = issue.data;
+  if (!types.includes(type)) return null;
+  const own = tipDirection(orientation as TipOrientation), asked = orientations.map((each) => tipDirection(each as TipOrientation));
+  const way = (axis: "u" | "v") => Math.sign(asked.reduce((sum, tip) => sum + tip[axis], 0));
+  const isTurned = (axis: "u" | "v") => way(axis) !== 0 && way(axis) === -Math.sign(own[axis]);
+  if (isTurned("v")) return way("v") > 0 ? "inside" : "outside";
+  if (isTurned("u")) return way("u") > 0 ? "away" : "towards";
+  return null;
+}

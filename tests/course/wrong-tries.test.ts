@@ -1,0 +1,58 @@
+import { expect, test } from "vitest";
+import { markText } from "../../src/app/course/task/mark-words.ts";
+import { answerOf } from "../../src/course/judge/answer.ts";
+import { judge } from "../../src/course/judge/judge.ts";
+import { programOfLines } from "../../src/course/start-of.ts";
+import { taskSchema, type Task } from "../../src/course/task.ts";
+import { texts } from "../../src/i18n/index.ts";
+import { courseTask } from "../../src/i18n/en/course-task.ts";
+import shoulderFile from "../../src/course/tasks/l03-first-shoulder.json";
+import rodFile from "../../src/course/tasks/l16-drawn-rod.json";
+
+const [shoulder, rod] = [shoulderFile, rodFile].map((file) => taskSchema.parse(file)) as [Task, Task];
+
+/** What a learner is told of the solution with one thing typed otherwise, the first first. */
+function told(task: Task, from: string, to: string): string[] {
+  const right = programOfLines(task.solution ?? []);
+  expect(right).toContain(from);
+  const answer = answerOf(right.replace(from, to));
+  const marks = judge(task, answer).marks.filter(({ passed }) => !passed);
+  return marks.map((mark) => markText(mark, { t: courseTask, texts: texts("en"), language: "en", task, answer }));
+}
+const { turnedRound } = courseTask.wrong;
+
+test.each([["a forgotten minus", "Q494=-27.4", "Q494=+27.4", turnedRound.away], [
+  "a diameter doubled",
+  "Q493=+48.2",
+  "Q493=+96.4",
+  turnedRound.inside,
+], ["a start within the steel", "8 L X+63.5 Z+2", "8 L X+40 Z+2", turnedRound.inside]])(
+  "%s is told as what it does to the cycle, not as a tool to be changed",
+  (_, from, to, said) => {
+    expect(told(shoulder, from, to)[0]).toBe(`${said}: block 9`);
+  },
+);
+
+test("every place where steel stays names the call that should have taken it, and none that may be there by itself", () => {
+  const places = told(shoulder, "8 L X+63.5 Z+2", "8 L X+63.5 Z-5");
+  expect(places).toHaveLength(1);
+  expect(places[0]).toMatch(/^Steel stays, up to 0\.2\d mm thick at ⌀48\.\d+, Z-0\.\d+: block 9$/);
+  expect(told(shoulder, "Q494=-27.4", "Q494=+27.4").filter((line) => line.startsWith("Steel stays") && !line.endsWith("block 9"))).toEqual(
+    [],
+  );
+});
+
+test("a thread of another pitch is told once, by its pitch; one that is not there as that", () => {
+  const pitch = told(rod, "Q472=+1.5", "Q472=+2").filter((line) => line.includes("Z-"));
+  expect(pitch).toEqual(["The thread M30×1.5 has a pitch of 2 mm in place of 1.5 at ⌀30, Z-12: block 9"]);
+  expect(told(rod, "Q494=-24", "Q494=+24")).toContainEqual(
+    expect.stringMatching(/^The thread M30×1\.5 is not there: no groove is cut .* at ⌀30, Z-12/),
+  );
+});
+
+test.each([["Q215=+0", "Q215=+2"], ["Q483=+0.5", "Q483=+16"]])("a finishing cut that takes what was never roughed is too deep: %s → %s",
+  (from, to) => {
+    expect(told(shoulder, from, to)).toContainEqual(
+      expect.stringMatching(/^A pass takes 7\.\d+ mm; 2\.5 mm are allowed: block 9, finishing cut$/),
+    );
+  });
