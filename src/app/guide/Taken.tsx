@@ -2,7 +2,6 @@ import { useEffect } from "react";
 import { formatNumber } from "../../i18n/number.ts";
 import { Icon } from "../Icon.tsx";
 import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
 import { undo } from "../steps.ts";
 import { keepFocus } from "./keep-focus.ts";
 import { forgetTaken, useTaken } from "./taken.ts";
@@ -11,7 +10,6 @@ import { useGuideTexts } from "./use-guide-texts.ts";
 /** Says which value was taken over from this page into the work, and takes it back. */
 export function Taken({ page }: { readonly page: string }) {
   const t = useGuideTexts();
-  const { page: words } = useTexts();
   const language = useSettings((s) => s.language);
   const taken = useTaken();
   useEffect(forgetTaken, [page]);
@@ -25,7 +23,7 @@ export function Taken({ page }: { readonly page: string }) {
             keepFocus(event.currentTarget, "main");
             undo();
           }}>
-            <Icon name="undo" /> {words.undo}
+            <Icon name="undo" /> {t.takeBack}
           </button>
         </p>
       )}

@@ -60,6 +60,7 @@ export const guide = {
     finish: "Schlichten",
     watch: "Schritte ansehen",
   },
+  takeBack: "Zurücknehmen",
   taken: (what: string, value: string) => `${what} = ${value} steht jetzt in Ihrer Arbeit.`,
   mistakes: "Häufige Fehler",
   terms: "Begriffe",

@@ -61,6 +61,7 @@ export const guide = {
     finish: "Finishing",
     watch: "Watch the steps",
   },
+  takeBack: "Take back",
   taken: (what: string, value: string) => `${what} = ${value} is in your work now.`,
   mistakes: "Common mistakes",
   terms: "Words",

@@ -61,6 +61,7 @@ export const guide: GuideTexts = typeset({
     finish: "Finition",
     watch: "Voir les étapes",
   },
+  takeBack: "Reprendre l’ancienne valeur",
   taken: (what: string, value: string) => `${what} = ${value} est maintenant dans votre travail.`,
   mistakes: "Erreurs fréquentes",
   terms: "Termes",

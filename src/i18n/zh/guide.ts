@@ -60,6 +60,7 @@ export const guide = {
     finish: "精加工",
     watch: "观看步骤",
   },
+  takeBack: "取回原值",
   taken: (what: string, value: string) => `${what} = ${value} 已写入您的工作。`,
   mistakes: "常见错误",
   terms: "术语",
