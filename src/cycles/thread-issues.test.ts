@@ -58,6 +58,8 @@ test("a run-in that is blocked all the way has no offer", () => {
 test("more turns than anybody means are refused at the pitch", () => {
   expect(planned({ Q472: 0.2, Q473: 0.1 })).toEqual([]);
   expect(planned({ Q472: 0.0003, Q473: 0.1 })).toMatchObject([{ code: "threadTooMany", at: "Q472" }]);
+  // A tooth of a few thousandths: the section alone would take a minute.
+  expect(planned({ Q472: 0.0013, Q473: 0.1 })).toMatchObject([{ code: "threadTooMany", at: "Q472", data: { most: 10_000 } }]);
   // Passes and starts count as well: each goes along all of the thread.
   expect(planned({ Q472: 0.2, Q473: 0.1, Q475: 500, Q476: 9 })).toMatchObject([{ code: "threadTooMany", at: "Q472" }]);
 });

@@ -46,6 +46,8 @@ export const METRIC = { outside: 0.6134, inside: 0.5413 } as const;
 
 /** More turns of the spindle than this in one operation no one can mean. */
 const MOST_TURNS = 100_000;
+/** In one cut of each start; every turn is a tooth of the section, which takes far longer to work out than a turn in the air. */
+const MOST_TEETH = 10_000;
 
 /** The thread as it is to be, apart from how it is reached. */
 interface Wanted extends ThreadLine {
@@ -120,10 +122,10 @@ export function planThread(t: Thread, setting: Setting): Plan {
   const [begins, ends] = [deepest[0] as Flat, deepest.at(-1) as Flat];
   const cuts = Math.max(1, t.starts) * ((depths?.length ?? 0) + t.airCuts);
   const turns = Math.max(1, (ends.u - begins.u) / t.lead) * cuts;
-  if (turns > MOST_TURNS || (ends.u - begins.u) / w.pitch > MOST_TURNS)
-    refused.push(
-      issue("threadTooMany", "error", { turns: Math.round(Math.max(turns, (ends.u - begins.u) / w.pitch)), most: MOST_TURNS }, "pitch"),
-    );
+  const inOneCut = (ends.u - begins.u) / w.pitch;
+  const bounds = [{ turns: inOneCut, most: MOST_TEETH }, { turns, most: MOST_TURNS }];
+  const passed = bounds.find((b) => b.turns > b.most);
+  if (passed) refused.push(issue("threadTooMany", "error", { turns: Math.round(passed.turns), most: passed.most }, "pitch"));
   if (!depths || refused.length > 0) return { ...empty([...refused, ...issues], t.contour) };
   const side = lowerSide(tool, t.frame);
   const tips = tipsOf(deepest, w.pitch, ((((-t.startAngle * t.starts) / 360) % 1) + 1) % 1);
