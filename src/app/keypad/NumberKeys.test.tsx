@@ -61,6 +61,14 @@ test("digits take the place of what is selected, the sign changes anywhere, a su
   expect(document.activeElement).toBe(field("field 1"));
 });
 
+test("a field that got the keyboard after the finger had left: the first digit takes the place of the text, and none is lost", async () => {
+  render(<Fields />);
+  touch(field("field 1"));
+  await screen.findByRole("group", { name: "Keypad" });
+  for (const name of ["4", "8", "Decimal point", "5"]) key(name);
+  expect(field("field 1").value).toBe("48.5");
+});
+
 test("ENT goes on to the next number field and puts the keypad away behind the last; a question mark leaves a value open", async () => {
   render(<Fields />);
   touch(field("field 1"));

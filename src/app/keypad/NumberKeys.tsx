@@ -38,6 +38,10 @@ export function NumberKeys() {
       if (fresh.current !== null && fresh.current === document.activeElement) fresh.current.select();
       fresh.current = null;
     };
+    // A key that is the first click since then writes over the old text: selected behind it, its digit would be lost to the next one.
+    const onKey = ({ target }: MouseEvent) => {
+      if (target instanceof Element && target.closest(".field-keypad")) onClick();
+    };
     // A field that is taken out of the page is not always left first.
     const onLeave = () =>
       requestAnimationFrame(() => {
@@ -49,12 +53,14 @@ export function NumberKeys() {
       });
     document.addEventListener("pointerdown", onPress, true);
     document.addEventListener("focusin", onFocus);
+    document.addEventListener("click", onKey, true);
     document.addEventListener("click", onClick);
     document.addEventListener("focusout", onLeave);
     document.addEventListener("pointerup", onLeave);
     return () => {
       document.removeEventListener("pointerdown", onPress, true);
       document.removeEventListener("focusin", onFocus);
+      document.removeEventListener("click", onKey, true);
       document.removeEventListener("click", onClick);
       document.removeEventListener("focusout", onLeave);
       document.removeEventListener("pointerup", onLeave);
