@@ -16,7 +16,9 @@ const id = z.string().check(z.regex(/^[a-z0-9][a-z0-9-]{1,60}$/));
 const lines = z.array(z.string().check(z.maxLength(200))).check(z.minLength(1), z.maxLength(MOST.lines));
 const listed = <S extends z.core.$ZodType>(schema: S) => z.array(schema).check(z.maxLength(MOST.listed));
 const typed = z.string().check(z.maxLength(40));
-const finite = z.number();
+/** Greatest number of a task, in each of its units: no lathe is a kilometre long. */
+const LARGEST = 1_000_000;
+const finite = z.number().check(z.gte(-LARGEST), z.lte(LARGEST));
 
 /** What lies open when the task begins: prompts of one cycle, a program, or nothing but a new program. */
 const start = z.union([
@@ -27,7 +29,7 @@ const start = z.union([
     values: z._default(z.record(z.string().check(z.regex(/^Q\d+$/)), typed), {}),
     /** Blank as typed, mm: outside and bore as ⌀; absent: proposed. */
     blank: z.optional(z.object({ outside: typed, bore: typed, length: typed, allowance: typed })),
-    tool: z.optional(z.number()),
+    tool: z.optional(finite),
     /** Tip at the cycle call, ⌀ and Z. */
     at: z.optional(z.object({ x: typed, z: typed })),
     /** Contour as lines of a contour subprogram, without LBL, for cycles that follow one. */
@@ -76,20 +78,20 @@ const rules = z.object({
   depth: z.optional(finite),
   speed: z.optional(finite),
   /** The only tools that may be called; most tools; most seconds. */
-  tools: z.optional(listed(z.number())),
+  tools: z.optional(listed(finite)),
   mostTools: z.optional(z.int()),
   seconds: z.optional(finite),
   /** Cycles that must be called; cycles that must not. */
   cycles: z.optional(listed(z.int())),
   without: z.optional(listed(z.int())),
   /** Values that a parameter must have wherever it stands in a called cycle (of `cycle`, if given): from and to, both included. */
-  values: z.optional(listed(z.object({ q: z.string(), cycle: z.optional(z.int()), from: z.optional(finite), to: z.optional(finite) }))),
+  values: z.optional(listed(z.object({ q: typed, cycle: z.optional(z.int()), from: z.optional(finite), to: z.optional(finite) }))),
   /** Exact number of roughing passes of all called cycles. */
   passes: z.optional(z.int()),
   /** Greatest theoretical roughness Rz of the wanted part's surfaces, µm, between two Z. */
   rz: z.optional(listed(z.object({ from: finite, to: finite, most: finite }))),
   /** Words that must stand in the text of some block, each of them: "M136", "APPR LCT". */
-  words: z.optional(listed(z.string())),
+  words: z.optional(listed(z.string().check(z.maxLength(200)))),
 });
 
 /** What the learner says before the run; the truth comes from the kernel, but for `choice`, where the task says which one is right. */
@@ -112,6 +114,9 @@ const prediction = z.union([
   /** The block that has the fault: any of these numbers. */
   z.object({ ask: z.literal("block"), right: listed(z.int()).check(z.minLength(1)) }),
 ]);
+
+/** The id of a material of the shipped cutting data. */
+export const materialId = z.enum(usualTable.materials.map((each) => each.id));
 
 const told = z.object({
   title: words,
@@ -149,7 +154,7 @@ export const taskSchema = z.object({
   part: z.optional(part),
   sizes: z.optional(listed(size)),
   /** What it is turned from, by the id of a material of the shipped cutting data: for the drawing's title block and the advice. */
-  material: z.optional(z.enum(usualTable.materials.map((each) => each.id))),
+  material: z.optional(materialId),
   /** Surface marks of the drawing are those of `rules.rz`. */
   rules: z._default(rules, {}),
   predict: z.optional(listed(prediction)),

@@ -1,9 +1,10 @@
 import { describe, expect, test } from "vitest";
 import { RULES } from "../../src/course/judge/judgement.ts";
+import { readTask } from "../../src/course/read-task.ts";
 import { taskSchema } from "../../src/course/task.ts";
 import { taskProblems } from "../../src/course/whole.ts";
 import { projectFile } from "../sources.ts";
-import { fieldsOf, type Schema } from "./fields.ts";
+import { fieldsOf, neededFields, type Schema } from "./fields.ts";
 
 /** The names in the first column of the tables of a section. */
 function named(section: string): string[] {
@@ -19,11 +20,23 @@ describe("docs/tasks.md", () => {
     expect(named("Fields").toSorted()).toEqual(fields.toSorted());
   });
 
+  test("says of every field whether it is needed", () => {
+    const said = [...projectFile("docs/tasks.md").matchAll(/^\| `([^`]+)` \| needed/gm)].map(([, name = ""]) => name);
+    expect(said.toSorted()).toEqual(neededFields(taskSchema as unknown as Schema).toSorted());
+  });
+
   test("names every rule", () => expect(named("How an answer is judged")).toEqual([...RULES]));
 
-  test("shows a task that is right but for its languages", () => {
-    const [, example = ""] = /```json\n([\s\S]*?)```/.exec(projectFile("docs/tasks.md")) ?? [];
-    const task = taskSchema.parse(JSON.parse(example));
-    expect(taskProblems(task, `${task.id}.json`).filter((p) => !p.startsWith("no words in"))).toEqual([]);
+  const examples = [...projectFile("docs/tasks.md").matchAll(/```json\n([\s\S]*?)```/g)].map(([, text = ""]) =>
+    JSON.parse(text) as unknown
+  );
+
+  test("has an example of each kind", () =>
+    expect(new Set(examples.map((raw) => taskSchema.parse(raw).kind))).toEqual(new Set(["make", "fault", "predict", "drawing"])));
+
+  test.each(examples)("shows a task that opens whole and is right: %#", (raw) => {
+    const task = taskSchema.parse(raw);
+    expect(readTask(raw)).toEqual({ task, left: [] });
+    expect(taskProblems(task, `${task.id}.json`).filter((p) => !/^no (?:words in|wrong answer)/.test(p))).toEqual([]);
   });
 });

@@ -15,6 +15,26 @@ export interface Schema {
 
 const languages: readonly string[] = LESSON_LANGUAGES;
 
+/** Whether something that has a schema can be left out. */
+const canBeLeft = ({ def }: Schema): boolean => def.type === "optional" || def.type === "default";
+
+/** The fields that cannot be left out where the group is there that they stand in; of a choice, wherever it has them. */
+export function neededFields({ def }: Schema, path = ""): string[] {
+  if (def.shape) {
+    return Object.entries(def.shape).flatMap(([name, inner]) => {
+      if (languages.includes(name) && name !== languages[0]) return [];
+      const own = path === "" ? name : `${path}.${name}`;
+      return [...(canBeLeft(inner) ? [] : [own]), ...neededFields(inner, own)];
+    });
+  }
+  if (def.innerType) return neededFields(def.innerType, path);
+  if (def.element) return neededFields(def.element, `${path}[]`);
+  const all = (def.options ?? []).map((option) => ({ has: fieldsOf(option, path), needs: neededFields(option, path) }));
+  return [...new Set(all.flatMap(({ needs }) => needs))].filter((name) =>
+    all.every(({ has, needs }) => !has.includes(name) || needs.includes(name))
+  );
+}
+
 /**
  * Every field of a schema by its path: "part.threads[].pitch". Of a choice the fields of all that may stand there; the languages are one,
  * "words.en".

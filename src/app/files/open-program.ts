@@ -106,9 +106,16 @@ export async function openFiles(chosen: readonly Chosen[]): Promise<Opening> {
     await bringIn(first.file);
     return "opened";
   }
-  if (first && /\.turnwise-(?:task|result)\b.*\.json$/i.test(first.file.name))
-    return (await untilHere(() => import("../course/teach/open-taught.ts"))).openTaughtFiles(chosen.map(({ file }) => file));
+  if (chosen.some(({ file }) => /\.json$/i.test(file.name)) && (await openTaught(chosen.map(({ file }) => file)))) return "opened";
   return openRest(chosen, { skipped: 0, isCut: false });
+}
+
+/** Opens tasks and results, told by the name that they are saved under, or by what stands in them; false for other files. */
+async function openTaught(files: readonly File[]): Promise<boolean> {
+  const { areTaught, openTaughtFiles } = await untilHere(() => import("../course/teach/open-taught.ts"));
+  if (!files.some(({ name }) => /\.turnwise-(?:task|result)\b.*\.json$/i.test(name)) && !(await areTaught(files))) return false;
+  await openTaughtFiles(files);
+  return true;
 }
 
 async function openRest(chosen: readonly Chosen[], leftOut: Omit<FolderContent, "files">): Promise<Opening> {

@@ -1,3 +1,6 @@
+import { answerOf } from "../../course/judge/answer.ts";
+import { proposedTask } from "../../course/made/made-task.ts";
+import { RESULT_FORMAT } from "../../course/made/result.ts";
 import { TASK_FORMAT, taskSchema } from "../../course/task.ts";
 import fc from "fast-check";
 import { strToU8, unzipSync, zipSync } from "fflate";
@@ -51,20 +54,52 @@ const taught = taskSchema.parse({
   start: { empty: true },
   words: { fr: { title: "Axe", ask: "Tournez-le.", hints: ["a", "b", "c"] } },
 });
+const sample = { ...proposedTask(answerOf("0 BEGIN PGM A MM\n1 END PGM A MM\n")), material: "c45" };
+const forms = {
+  "work a": {
+    form: { ...sample, words: { title: "Bolzen", ask: "", hints: ["", "zweiter", ""] as const } },
+    print: "7 x",
+    at: 1_795_395_781_123,
+  },
+};
+const worked = { "stepped-pin-1x": { ms: 487_321, steps: 13 } };
+const results = [{
+  file: "Ada-7.turnwise-result.json",
+  result: { format: RESULT_FORMAT as typeof RESULT_FORMAT, name: "Ada 7", made: 1_795_395_781_123, tasks: [] },
+}];
+const whole = { tools, own, settings, course, taught: [taught], forms, worked, results };
+const nothing = { tools: null, own: null, settings: null, course: null, taught: null, forms: null, worked: null, results: null };
 const read = (bytes: Uint8Array): ReadArchive => {
   const found = readArchive(bytes);
   if ("problem" in found) throw new Error(found.problem);
   return found;
 };
 
+const packed = (manifest: unknown) => zipSync({ "turnwise.json": strToU8(JSON.stringify(manifest)) });
+const manifestOf = (bytes: Uint8Array) =>
+  JSON.parse(new TextDecoder().decode(unzipSync(bytes)["turnwise.json"])) as { works: { content: { job: { name: string } } }[] };
+
 test("whatever is packed is found again, what is typed wrong and drafts of other cycles included", () => {
-  fc.assert(fc.property(works, fc.boolean(), (all, whole) => {
-    const rest = whole
-      ? { tools, own, settings, course, taught: [taught] }
-      : { tools: null, own: null, settings: null, course: null, taught: null };
+  fc.assert(fc.property(works, fc.boolean(), (all, isWhole) => {
+    const rest = isWhole ? whole : nothing;
     const found = read(writeArchive({ works: all, ...rest }));
     expect(found).toEqual({ works: all, ...rest, unread: [], unreadParts: [] });
   }), { numRuns: 60 });
+});
+
+test("a file of an earlier edition is read as before; a part that is damaged is named and stops no other", () => {
+  const manifest = manifestOf(writeArchive({ works: [], ...whole })) as unknown as Record<string, unknown>;
+  const { forms: _, worked: __, results: ___, ...before } = manifest;
+  expect(read(packed(before))).toMatchObject({ taught: [taught], course, forms: null, worked: null, results: null, unreadParts: [] });
+  const form = { ...forms["work a"].form, material: undefined };
+  const older = { ...before, forms: { content: { version: 1, forms: { "work a": { ...forms["work a"], form } } } } };
+  expect(read(packed(older)).forms?.["work a"]?.form.material).toBeNull();
+  const broken = {
+    ...manifest,
+    forms: { content: { version: 1, forms: { x: { form: {}, print: "", at: 3 } } } },
+    results: { print: "0", content: {} },
+  };
+  expect(read(packed(broken))).toMatchObject({ worked, forms: null, results: null, unreadParts: ["forms", "results"] });
 });
 
 test("every path is a plain one inside its folder, and no two are the same on any system", () => {
@@ -107,10 +142,6 @@ test("the shop's cutting data are in it, among the settings and as the file that
   expect(readCuttingTable(read(bytes).settings?.cutting ?? "")).toEqual(ofShop);
   expect(Object.keys(unzipSync(writeArchive({ settings: { ...settings, cutting: "" } })))).toEqual(["turnwise.json", "settings.json"]);
 });
-
-const packed = (manifest: unknown) => zipSync({ "turnwise.json": strToU8(JSON.stringify(manifest)) });
-const manifestOf = (bytes: Uint8Array) =>
-  JSON.parse(new TextDecoder().decode(unzipSync(bytes)["turnwise.json"])) as { works: { content: { job: { name: string } } }[] };
 
 test("a work that was altered on its way, or that this edition can not read, is named, and the others come", () => {
   const three = ["A", "B", "C"].map((named, i) => ({ work: named, savedAt: i, job: { ...jobs[0]!, name: named } }));

@@ -5,7 +5,11 @@ import type { OwnList } from "../../program/own-library.ts";
 import { writeLibrary } from "../../program/own-library.ts";
 import type { ToolList } from "../../program/tool-list.ts";
 import { writeTableJson } from "../../program/tool-table-json.ts";
+import { readForms, writeForms, type KeptForms } from "../course/teach/form-list.ts";
+import { readGathered, writeGathered } from "../course/teach/result-list.ts";
+import type { LearnerFile } from "../course/teach/result-rows.ts";
 import { readTaughtList, writeTaught } from "../course/teach/taught-list.ts";
+import { readWorked, writeWorked, type WorkedTasks } from "../course/teach/worked-list.ts";
 import { encode } from "../editor/encoding.ts";
 import { readKeptOwn } from "../own/keep-own.ts";
 import { printedText, programName } from "../printed.ts";
@@ -42,10 +46,16 @@ export interface ArchiveContent {
   readonly course: CourseProgress | null;
   /** Tasks that came from an instructor. */
   readonly taught: readonly Task[] | null;
+  /** Forms of tasks, as they were left; keyed by the works of the device that they come from. */
+  readonly forms: KeptForms | null;
+  /** How long each task was worked at. */
+  readonly worked: WorkedTasks | null;
+  /** What learners handed in. */
+  readonly results: readonly LearnerFile[] | null;
 }
 
 /** The parts of an archive beside its works. */
-const PARTS = ["tools", "own", "settings", "course", "taught"] as const;
+const PARTS = ["tools", "own", "settings", "course", "taught", "forms", "worked", "results"] as const;
 type Part = (typeof PARTS)[number];
 
 /** A read archive. What of it cannot be read is named and stops nothing. */
@@ -120,10 +130,15 @@ function readable(job: Work): readonly WorkFile[] {
 const [EARLIEST, LATEST] = [Date.UTC(1980, 0, 2), Date.UTC(2099, 11, 30)];
 const zipTime = (time: number): number => Math.min(Math.max(Number.isFinite(time) ? time : EARLIEST, EARLIEST), LATEST);
 
+/** A part as the device keeps it; nothing where it keeps none. */
+const asKept = (name: Part, kept: string | null): Readonly<Record<string, unknown>> =>
+  kept === null ? {} : { [name]: sealed(JSON.parse(kept)) };
+
 /** Packs works, and what else is given, into one file. */
-export function writeArchive({ works, tools = null, own = null, settings = null, course = null, taught = null }: Partial<
-  ArchiveContent
->): Uint8Array<ArrayBuffer> {
+export function writeArchive({ works, tools = null, own = null, settings = null, ...ofCourse }: Partial<ArchiveContent>): Uint8Array<
+  ArrayBuffer
+> {
+  const { course = null, taught, forms, worked, results } = ofCourse;
   const all = works ?? [];
   const mtime = zipTime(Math.max(EARLIEST, ...all.map(({ savedAt }) => savedAt)));
   const manifest = {
@@ -133,7 +148,10 @@ export function writeArchive({ works, tools = null, own = null, settings = null,
     ...(own && { own: sealed({ version: 1, cycles: own }) }),
     ...(settings && { settings: sealed(settings) }),
     ...(course && { course: sealed(course) }),
-    ...(taught && taught.length > 0 && { taught: sealed(JSON.parse(writeTaught(taught) ?? "null")) }),
+    ...asKept("taught", writeTaught(taught ?? [])),
+    ...asKept("forms", writeForms(forms ?? {})),
+    ...asKept("worked", writeWorked(worked ?? {})),
+    ...asKept("results", writeGathered(results ?? [])),
   };
   const files: Zippable = { [MANIFEST]: [strToU8(JSON.stringify(manifest)), { mtime }] };
   const folderOf = namer();
@@ -196,6 +214,9 @@ function contentOf(raw: Readonly<Record<string, unknown>>): ReadArchive {
     settings: part("settings", readSettings),
     course: part("course", readProgress),
     taught: part("taught", readTaughtList),
+    forms: part("forms", readForms),
+    worked: part("worked", readWorked),
+    results: part("results", readGathered),
   };
   const unreadParts = PARTS.filter((name) => raw[name] !== undefined && parts[name] === null);
   return { ...worksOf(Array.isArray(raw["works"]) ? raw["works"] : []), ...parts, unreadParts };

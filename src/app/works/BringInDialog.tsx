@@ -5,8 +5,8 @@ import { Icon } from "../Icon.tsx";
 import type { ReadArchive } from "../saving/archive.ts";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { endBringing, type Bringing } from "./bring-in-place.ts";
-import { bringsCourse, bringsTasks, missingOwn, missingTools, statesOf, tablesHere, takeArchive, type ArchivedState,
-  type TableChoice } from "./take-archive.ts";
+import { bringsCourse } from "./bring-course.ts";
+import { missingOwn, missingTools, statesOf, tablesHere, takeArchive, type ArchivedState, type TableChoice } from "./take-archive.ts";
 import { useDeviceTexts } from "./use-device-texts.ts";
 import { useModal } from "../use-modal.ts";
 import "./works.css";
@@ -58,8 +58,7 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
   if (!states) return null;
   const toolsMissing = archive.tools && missingTools(archive.tools, here.tools);
   const ownMissing = archive.own && missingOwn(archive.own, here.own);
-  const hasCourse = (archive.course !== null && bringsCourse(archive.course, here.course))
-    || (archive.taught !== null && bringsTasks(archive.taught, here.taught));
+  const hasCourse = bringsCourse(archive, here.course);
   const isNew = (i: number) => states[i] !== "same";
   const chosen = archive.works.filter((_, i) => isNew(i) && !without.has(i));
   const fresh = archive.works.filter((_, i) => isNew(i)).length;

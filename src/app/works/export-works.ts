@@ -2,7 +2,10 @@ import { time } from "../clock.ts";
 import { downloadBytes } from "../files/download.ts";
 import { isEmptyProgress } from "../../course/progress.ts";
 import { startLearning, useLearning } from "../course/progress.ts";
+import { startGathered, useGathered } from "../course/teach/gathered.ts";
+import { startForms, useForms } from "../course/teach/kept-form.ts";
 import { startTaught, useTaught } from "../course/teach/taught.ts";
+import { countWork, startWorkingTime, useWorked } from "../course/teach/working-time.ts";
 import { useOwn } from "../own/own-store.ts";
 import { ARCHIVE_LIMITS, writeArchive, type ArchivedWork } from "../saving/archive.ts";
 import { findWorks, readWork } from "../saving/device.ts";
@@ -70,7 +73,7 @@ export async function saveWorks(works: readonly string[]): Promise<number> {
 }
 
 /**
- * Hands everything on this device to the downloads: works, tools, own cycles, settings, and what was reached in the course. What the
+ * Hands everything on this device to the downloads: works, tools, own cycles, settings, and all of the course. What the
  * device has not taken is in it too.
  */
 export async function saveEverything(unkept: readonly string[]): Promise<{ readonly works: number; readonly files: number }> {
@@ -79,6 +82,10 @@ export async function saveEverything(unkept: readonly string[]): Promise<{ reado
   const all = [...new Set([...works.map(({ work }) => work), ...unkept])];
   startLearning();
   startTaught();
+  startForms();
+  startWorkingTime();
+  startGathered();
+  countWork();
   const { list: course } = useLearning.getState();
   const beside = {
     tools: useTools.getState().list,
@@ -86,6 +93,9 @@ export async function saveEverything(unkept: readonly string[]): Promise<{ reado
     settings: useSettings.getState(),
     ...(!isEmptyProgress(course) && { course }),
     taught: useTaught.getState().list,
+    forms: useForms.getState().list,
+    worked: useWorked.getState().list,
+    results: useGathered.getState().list,
   };
   return save(all, beside);
 }

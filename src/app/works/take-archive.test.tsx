@@ -5,13 +5,20 @@ import { usualTable, writeCuttingTable } from "../../program/cutting-table.ts";
 import { shippedList } from "../../program/tool-list.ts";
 import { startLearning, useLearning } from "../course/progress.ts";
 import { takeOwn, useOwn } from "../own/own-store.ts";
+import { answerOf } from "../../course/judge/answer.ts";
+import { proposedTask } from "../../course/made/made-task.ts";
+import { RESULT_FORMAT } from "../../course/made/result.ts";
+import { useGathered } from "../course/teach/gathered.ts";
+import { useForms } from "../course/teach/kept-form.ts";
+import { useWorked } from "../course/teach/working-time.ts";
 import type { ReadArchive } from "../saving/archive.ts";
 import { device, emptyDevice, someJob as job } from "../saving/fake-device.ts";
 import { refreshWorks } from "../saving/keep.ts";
 import { readSettings, useSettings } from "../settings/settings.ts";
 import { forget, undo } from "../steps.ts";
 import { takeTools, useTools } from "../tools/tool-store.ts";
-import { bringsCourse, missingOwn, missingTools, statesOf, takeArchive } from "./take-archive.ts";
+import { bringsCourse, bringsProgress, courseHere } from "./bring-course.ts";
+import { missingOwn, missingTools, statesOf, takeArchive } from "./take-archive.ts";
 
 vi.mock("../saving/device.ts", () => import("../saving/fake-device.ts"));
 
@@ -34,6 +41,9 @@ const archive: ReadArchive = {
   settings,
   course: withPlace(withPass(NO_PROGRESS, "l03-thicker-bar", { when: 7, seconds: 41.7 }), { lesson: "tool", number: 2, page: 3 }),
   taught: null,
+  forms: null,
+  worked: null,
+  results: null,
   unread: [],
   unreadParts: [],
 };
@@ -125,11 +135,48 @@ test("what was reached in the course elsewhere comes beside what was reached her
   startLearning();
   useLearning.setState({ list: mine });
   const { course } = archive;
-  expect(course && [bringsCourse(course, mine), bringsCourse(course, course)]).toEqual([true, false]);
+  expect(course && [bringsProgress(course, mine), bringsProgress(course, course)]).toEqual([true, false]);
   await takeArchive(archive, { works: [], tools: "keep", own: "keep", settings: false, course: true });
   const { list } = useLearning.getState();
   expect(progressOfTask(list, "l03-thicker-bar")).toMatchObject({ passed: { way: "alone", when: 7 }, seconds: 37.2, hints: 1 });
   expect([progressOfTask(list, "l01-sawn-long").passed?.when, list.last?.page]).toEqual([4, 3]);
   undo();
   expect(useLearning.getState().list).toBe(mine);
+});
+
+test("forms, working times and results of learners come beside those that are here, as one step; a form follows its work", async () => {
+  const form = {
+    form: { ...proposedTask(answerOf("0 BEGIN PGM A MM\n1 END PGM A MM\n")), clean: true },
+    print: "7 x",
+    at: 1_795_395_781_123,
+  };
+  const mine = { ...form, print: "8 y" };
+  const ada = {
+    file: "a.json",
+    result: { format: RESULT_FORMAT as typeof RESULT_FORMAT, name: "Ada", made: 1_795_395_781_123, tasks: [] },
+  };
+  const zoe = { file: "z.json", result: { ...ada.result, name: "Zoé" } };
+  courseHere();
+  useForms.setState({ list: { "task bush": mine } });
+  useWorked.setState({ list: { bush: { ms: 7_319, steps: 11 } } });
+  useGathered.setState({ list: [ada] });
+  // The work "mine" is here already: the one that is brought is called otherwise.
+  const brought = {
+    ...archive,
+    course: null,
+    forms: { "work mine": form, "task bush": form },
+    worked: { bush: { ms: 3_001, steps: 17 }, disc: { ms: 5, steps: 1 } },
+    results: [zoe, ada],
+  };
+  expect([bringsCourse(brought, courseHere()), bringsCourse({ ...brought, forms: null, worked: null, results: [ada] }, courseHere())])
+    .toEqual([true, false]);
+  const works = [{ work: "mine", savedAt: 3, job: { ...job, name: "OTHER" } }];
+  await takeArchive(brought, { works, tools: "keep", own: "keep", settings: false, course: true });
+  const other = [...device.works].find(([, { job: kept }]) => (kept as typeof job).name === "OTHER")?.[0] ?? "";
+  expect(useForms.getState().list).toEqual({ [`work ${other}`]: form, "task bush": mine });
+  expect(useWorked.getState().list).toEqual({ bush: { ms: 7_319, steps: 17 }, disc: { ms: 5, steps: 1 } });
+  expect(useGathered.getState().list).toEqual([ada, zoe]);
+  undo();
+  expect(courseHere()).toMatchObject({ forms: { "task bush": mine }, worked: { bush: { ms: 7_319, steps: 11 } }, results: [ada] });
+  expect(Object.keys(useForms.getState().list)).toEqual(["task bush"]);
 });

@@ -1,11 +1,7 @@
-import { mergedProgress, type CourseProgress } from "../../course/progress.ts";
 import { readOwn, type OwnEntry } from "../../program/own-cycle.ts";
 import { mergedLibrary, type OwnList } from "../../program/own-library.ts";
 import { mergedTools, sameList, type ToolList } from "../../program/tool-list.ts";
 import { drawnId } from "../chance.ts";
-import { bringProgress, startLearning, useLearning } from "../course/progress.ts";
-import { bringTasks, startTaught, useTaught } from "../course/teach/taught.ts";
-import type { Task } from "../../course/task.ts";
 import { editOwn, useOwn } from "../own/own-store.ts";
 import { writeKeptOwn } from "../own/keep-own.ts";
 import type { ArchivedWork, ReadArchive } from "../saving/archive.ts";
@@ -15,6 +11,7 @@ import { useKeeping } from "../saving/keep.ts";
 import { addWorks } from "../saving/works.ts";
 import { changeLanguage, changeSettings } from "../settings/settings.ts";
 import { editTools, toolsOnDevice, useTools } from "../tools/tool-store.ts";
+import { courseHere, takeCourse } from "./bring-course.ts";
 
 /** What becomes of a work that is brought in: it is new, here already, or comes beside another one of its name. */
 export type ArchivedState = "fresh" | "same" | "beside";
@@ -59,21 +56,13 @@ export function missingOwn(brought: OwnList, mine: OwnList): OwnList | null {
   return brought.filter((entry) => !taken.has(numberOf(entry)));
 }
 
-/** True where a progress in the course holds something that was not reached here. */
-export const bringsCourse = (brought: CourseProgress, mine: CourseProgress): boolean =>
-  fingerprint(mergedProgress(mine, brought)) !== fingerprint(mine);
-
-/** True where an instructor's tasks are brought that are not here. */
-export const bringsTasks = (brought: readonly Task[], mine: readonly Task[]): boolean =>
-  brought.some(({ id }) => !mine.some((task) => task.id === id));
-
 /** What is taken of an archive. */
 export interface ArchiveChoice {
   readonly works: readonly ArchivedWork[];
   readonly tools: TableChoice;
   readonly own: TableChoice;
   readonly settings: boolean;
-  /** What was reached in the course; what is better here stays. */
+  /** What was reached in the course, tasks, forms and results; what is better here stays. */
   readonly course: boolean;
 }
 
@@ -87,14 +76,13 @@ export async function takeArchive(archive: ReadArchive, choice: ArchiveChoice): 
     return { ...each, work };
   });
   const kept = await addWorks(lying);
-  const { tools, own, settings, course, taught } = archive;
+  const { tools, own, settings } = archive;
   if (tools && choice.tools === "replace") editTools(() => tools);
   if (tools && choice.tools === "missing")
     editTools((list) => mergedTools(list, (missingTools(tools, list) ?? []).map(({ cells }) => cells)).list);
   if (own && choice.own === "replace") editOwn(() => own);
   if (own && choice.own === "missing") editOwn((list) => mergedLibrary(list, missingOwn(own, list) ?? []).list);
-  if (course && choice.course) bringProgress(course);
-  if (taught && choice.course) bringTasks(taught);
+  if (choice.course) takeCourse(archive, new Map(choice.works.map(({ work }, i) => [work, lying[i]?.work ?? work])));
   if (settings && choice.settings) {
     const { language, cutting, ...others } = settings;
     // Somebody who goes by the shipped cutting data has none to bring: the shop's own stay.
@@ -106,12 +94,5 @@ export async function takeArchive(archive: ReadArchive, choice: ArchiveChoice): 
 
 /** The tables of this device, for what is said of those in an archive. */
 export function tablesHere() {
-  startLearning();
-  startTaught();
-  return {
-    tools: useTools.getState().list,
-    own: useOwn.getState().list,
-    course: useLearning.getState().list,
-    taught: useTaught.getState().list,
-  };
+  return { tools: useTools.getState().list, own: useOwn.getState().list, course: courseHere() };
 }

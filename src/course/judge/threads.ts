@@ -6,6 +6,8 @@ import type { Answer, TaskMark } from "./judgement.ts";
 
 /** How far apart the profile of a thread is looked at, mm. */
 const STEP = 0.02;
+/** It is looked at that often at most: a thread as long as no lathe is costs no more than others. */
+const MOST_LINES = 100_000;
 /** The share of the depth that a groove has at least, and that at which it is told from its neighbours. */
 const DEEP = 0.85;
 const APART = 0.5;
@@ -22,7 +24,8 @@ interface Grooves {
 /** The grooves between crest and root, from the profile of a stock. */
 function groovesOf(stock: readonly Ring[], { from, to, crest, root }: WantedThread): Grooves {
   const [left, right] = [Math.min(from, to), Math.max(from, to)];
-  const lines = Array.from({ length: Math.max(2, Math.floor((right - left) / STEP)) }, (_, i) => left + (i + 0.5) * STEP);
+  const count = Math.min(MOST_LINES, Math.max(2, Math.floor((right - left) / STEP))), step = Math.max(STEP, (right - left) / MOST_LINES);
+  const lines = Array.from({ length: count }, (_, i) => left + (i + 0.5) * step);
   const [top, full] = [toRadius(diameter(crest)), toRadius(diameter(Math.abs(crest - root)))];
   const profile = scanCrossings(stock, "r", lines).map((found) => {
     const r = crest > root ? found.at(-1) : found[0];

@@ -64,6 +64,7 @@ export function formOfTask(task: Task, text: string, answer: Answer, language: T
       bore: lines(part?.bore),
       threads: asked.map((thread) => ({ ...thread, pitch: thread.pitch ?? 0, on: true })),
     }),
+    material: task.material ?? null,
     sizes: (task.sizes ?? []).map((size) => ({ ...size, on: true, upper: String(size.upper), lower: String(size.lower) })),
     rules: {
       ...proposed.rules,

@@ -1,7 +1,7 @@
 import { z } from "zod/mini";
-import type { Task } from "../task.ts";
+import { materialId, type Task } from "../task.ts";
 import { FAULT_KINDS, type FaultKind } from "./faults.ts";
-import { ASKED_KINDS, type QuestionDraft } from "./made-questions.ts";
+import { ASKED_KINDS, type QuestionDraft } from "./question-draft.ts";
 import type { ThreadDraft } from "./made-threads.ts";
 
 /** Rules that a form switches on and off, each with one number. */
@@ -50,6 +50,8 @@ export interface MadeTask {
   readonly outside: string;
   readonly bore: string;
   readonly threads: readonly ThreadDraft[];
+  /** Id of a shipped material; null where none is named. */
+  readonly material: NonNullable<Task["material"]> | null;
   readonly sizes: readonly SizeDraft[];
   readonly rules: Readonly<Record<NumberRule | ListRule, RuleDraft>>;
   /** Which tools the table of the learner offers: those that the answer calls, those of the list, or all. */
@@ -80,6 +82,8 @@ export const formShape = z.object({
   outside: text,
   bore: text,
   threads: many(z.object({ from: finite, to: finite, crest: finite, root: finite, pitch: finite, name: text, on: z.boolean() })),
+  // A form that was kept before materials were asked for names none.
+  material: z._default(z.nullable(materialId), null),
   sizes: many(
     z.object({ kind: z.enum(["diameter", "bore", "face"]), at: finite, nominal: finite, on: z.boolean(), upper: text, lower: text }),
   ),
@@ -105,6 +109,19 @@ export const formShape = z.object({
   faults: many(z.enum(FAULT_KINDS)),
   program: z.nullable(text),
   words: z.object({ title: text, ask: text, hints: z.tuple([text, text, text]) }),
+});
+
+/** A number as it is proposed, with the decimal sign of a language; both signs are read. */
+export const withSign = (text: string, sign: string): string => text.replace(".", sign);
+
+/** A form whose numbers are written with a decimal sign; what is a list of whole numbers stays. */
+export const formWithSign = (form: MadeTask, sign: string): MadeTask => ({
+  ...form,
+  rules: Object.fromEntries(
+    Object.entries(form.rules).map(([name, { on, text: number }]) => [name, { on, text: withSign(number, sign) }]),
+  ) as MadeTask["rules"],
+  sizes: form.sizes.map((size) => ({ ...size, upper: withSign(size.upper, sign), lower: withSign(size.lower, sign) })),
+  questions: form.questions.map((each) => ({ ...each, at: withSign(each.at, sign), within: withSign(each.within, sign) })),
 });
 
 /** A form out of what was kept; null where it is none. Never throws. */

@@ -4,42 +4,12 @@ import type { Answer } from "../judge/judgement.ts";
 import { truthOf, type Truth } from "../judge/predicting.ts";
 import type { Prediction, Task } from "../task.ts";
 import { typedNumber } from "../told.ts";
+import type { AskedKind, QuestionDraft } from "./question-draft.ts";
 
 /*
  * What a learner is asked before the run, as an instructor types it. What is right comes from the run of the program that lies open,
  * but for a choice and a block: those are proposed from the run.
  */
-
-/** What can be asked, in the order in which it is offered. */
-export const ASKED_KINDS = [
-  "passes",
-  "infeed",
-  "seconds",
-  "residue",
-  "diameter",
-  "bore",
-  "face",
-  "residuePlace",
-  "gougePlace",
-  "rapidPlace",
-  "choice",
-  "block",
-] as const satisfies readonly Prediction["ask"][];
-export type AskedKind = (typeof ASKED_KINDS)[number];
-
-/** A question as typed. */
-export interface QuestionDraft {
-  readonly ask: AskedKind;
-  readonly text: string;
-  /** Of passes, infeed, seconds and residue: the cycle call that is meant, from 0; null for all together. */
-  readonly operation: number | null;
-  /** Of a size: Z of a diameter, ⌀ of a face. */
-  readonly at: string;
-  readonly within: string;
-  /** Of a choice: what is offered, a line each. Of both: the right one from 0, or the numbers of the right blocks. */
-  readonly choices: string;
-  readonly right: string;
-}
 
 const SIZES: readonly AskedKind[] = ["diameter", "bore", "face"];
 const PLACES: readonly AskedKind[] = ["residuePlace", "gougePlace", "rapidPlace"];

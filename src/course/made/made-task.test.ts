@@ -7,7 +7,8 @@ import { possibleFaults, withFaults } from "./faults.ts";
 import { begunOfMade, linesOfText, proposedTask, programOfMade, promptsOf, taskOfMade } from "./made-task.ts";
 import { readForm, type MadeTask } from "./made-form.ts";
 import { editedTask, formOfTask, languageOfTask, textOfTask } from "./form-of-task.ts";
-import { changedBlocks, fateOf, isThere, predictionOf, proposedQuestion, truthsOf, type QuestionDraft } from "./made-questions.ts";
+import { changedBlocks, fateOf, isThere, predictionOf, proposedQuestion, truthsOf } from "./made-questions.ts";
+import type { QuestionDraft } from "./question-draft.ts";
 
 const answer = (name: string) => answerOf(readFileSync(`src/examples/${name}.h`, "utf8"));
 const flange = answer("flange"), shoulder = answer("shoulder");

@@ -119,6 +119,7 @@ export function proposedTask(answer: Answer): MadeTask {
   return {
     kind: "make",
     ...made,
+    material: null,
     sizes: [],
     rules: {
       depth: on(above(is.get("depth"), STEPS.depth)),
@@ -258,6 +259,7 @@ export function taskOfMade(made: MadeTask, answer: Answer, language: keyof Task[
   const judged = {
     ...(hasPart && { part }),
     ...(sizes.length > 0 && { sizes }),
+    ...(made.material !== null && { material: made.material }),
     rules: rulesOf(made, answer),
     ...(kind === "drawing" && { par: { seconds: Math.ceil(answer.simulation.totalSeconds), tools: calledTools(answer).size } }),
     solution: linesOfText(answer.text),

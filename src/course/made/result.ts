@@ -34,7 +34,7 @@ const taskResult = z.object({
 });
 export type TaskResult = z.output<typeof taskResult>;
 
-const resultShape = z.object({
+export const resultShape = z.object({
   format: z.literal(RESULT_FORMAT),
   /** As typed; empty where none was. */
   name: text(200),

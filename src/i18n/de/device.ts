@@ -42,11 +42,11 @@ export const device = {
     refused: "Der Browser sagt es nicht zu. Ab und zu alles als Datei sichern.",
     used: (used, of) => `${used} von ${of} belegt`,
     exportAll: "Alles als Datei sichern",
-    exportLong: "Alle Arbeiten, Werkzeuge, eigenen Zyklen, Einstellungen und den Kursstand als eine Datei sichern",
+    exportLong: "Alle Arbeiten, Werkzeuge, eigenen Zyklen, Einstellungen und alles aus dem Kurs als eine Datei sichern",
     importAll: "Datei einlesen",
-    importLong: "Arbeiten, Werkzeuge, eigene Zyklen, Einstellungen und Kursstand aus einer gesicherten Datei einlesen",
+    importLong: "Arbeiten, Werkzeuge, eigene Zyklen, Einstellungen und alles aus dem Kurs aus einer gesicherten Datei einlesen",
     exported: (n, files) =>
-      `${n === 1 ? "1 Arbeit" : `${n} Arbeiten`}, Werkzeuge, eigene Zyklen, Einstellungen und Kursstand liegen in den Downloads${
+      `${n === 1 ? "1 Arbeit" : `${n} Arbeiten`}, Werkzeuge, eigene Zyklen, Einstellungen und alles aus dem Kurs liegen in den Downloads${
         files > 1 ? `, in ${files} Dateien` : ""
       }.`,
     notExported: "Die Datei konnte nicht erzeugt werden.",
@@ -63,7 +63,7 @@ export const device = {
     missing: (n) => `Die ${n} übernehmen, die hier fehlen`,
     replace: "Meine durch diese ersetzen",
     sameTable: "gleich wie hier",
-    course: "Kurs: Stand und Aufgaben Ihres Ausbilders",
+    course: "Kurs: Stand, Aufgaben Ihres Ausbilders, Formulare und Ergebnisse",
     courseLong: "Was auf diesem Gerät besser ist, bleibt",
     settings: "Auch die Einstellungen übernehmen",
     settingsLong: "Sprache, Aussehen und Anzeige des Bilds",
@@ -74,6 +74,9 @@ export const device = {
       settings: "Die Einstellungen darin sind nicht lesbar.",
       course: "Der Kursstand darin ist nicht lesbar.",
       taught: "Die Aufgaben eines Ausbilders darin sind nicht lesbar.",
+      forms: "Die Formulare von Aufgaben darin sind nicht lesbar.",
+      worked: "Die Arbeitszeiten der Aufgaben darin sind nicht lesbar.",
+      results: "Die Ergebnisse von Lernenden darin sind nicht lesbar.",
     },
     take: "Einlesen",
     nothing: "Nichts gewählt",

@@ -41,11 +41,11 @@ export const device = {
     refused: "The browser does not promise it. Save everything as a file now and then.",
     used: (used: string, of: string) => `${used} of ${of} in use`,
     exportAll: "Save everything as a file",
-    exportLong: "Save all works, tools, own cycles, settings and the progress of the course as one file",
+    exportLong: "Save all works, tools, own cycles, settings and all of the course as one file",
     importAll: "Bring in a file",
-    importLong: "Bring in works, tools, own cycles, settings and the progress of the course from a saved file",
+    importLong: "Bring in works, tools, own cycles, settings and all of the course from a saved file",
     exported: (n: number, files: number) =>
-      `${n === 1 ? "1 work" : `${n} works`}, tools, own cycles, settings and the progress of the course are in the downloads${
+      `${n === 1 ? "1 work" : `${n} works`}, tools, own cycles, settings and all of the course are in the downloads${
         files > 1 ? `, in ${files} files` : ""
       }.`,
     notExported: "The file could not be made.",
@@ -62,7 +62,7 @@ export const device = {
     missing: (n: number) => `Take the ${n} that I do not have`,
     replace: "Take these in place of mine",
     sameTable: "the same as here",
-    course: "Course: progress and tasks of your instructor",
+    course: "Course: progress, tasks of your instructor, forms and results",
     courseLong: "What is better on this device stays",
     settings: "Take its settings too",
     settingsLong: "Language, appearance and how the picture is shown",
@@ -73,6 +73,9 @@ export const device = {
       settings: "The settings in it cannot be read.",
       course: "The progress of the course in it cannot be read.",
       taught: "The tasks of an instructor in it cannot be read.",
+      forms: "The forms of tasks in it cannot be read.",
+      worked: "The working times of tasks in it cannot be read.",
+      results: "The results of learners in it cannot be read.",
     },
     take: "Bring in",
     nothing: "Nothing chosen",

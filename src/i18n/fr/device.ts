@@ -42,11 +42,11 @@ export const device = {
     refused: "Le navigateur ne le promet pas. Tout enregistrer en fichier de temps en temps.",
     used: (used, of) => `${used} utilisés sur ${of}`,
     exportAll: "Tout enregistrer en fichier",
-    exportLong: "Enregistrer tous les travaux, outils, cycles maison, réglages et avancement du cours dans un fichier",
+    exportLong: "Enregistrer tous les travaux, outils, cycles maison, réglages et tout le cours dans un fichier",
     importAll: "Reprendre un fichier",
-    importLong: "Reprendre travaux, outils, cycles maison, réglages et avancement du cours d’un fichier enregistré",
+    importLong: "Reprendre travaux, outils, cycles maison, réglages et tout le cours d’un fichier enregistré",
     exported: (n, files) =>
-      `${n === 1 ? "1 travail" : `${n} travaux`}, outils, cycles maison, réglages et avancement du cours sont dans les téléchargements${
+      `${n === 1 ? "1 travail" : `${n} travaux`}, outils, cycles maison, réglages et tout le cours sont dans les téléchargements${
         files > 1 ? `, en ${files} fichiers` : ""
       }.`,
     notExported: "Le fichier n’a pas pu être créé.",
@@ -63,7 +63,7 @@ export const device = {
     missing: (n) => (n === 1 ? "Prendre celui qui manque ici" : `Prendre les ${n} qui manquent ici`),
     replace: "Remplacer les miens par ceux-ci",
     sameTable: "identique à ici",
-    course: "Cours : avancement et exercices de votre formateur",
+    course: "Cours : avancement, exercices de votre formateur, formulaires et résultats",
     courseLong: "Ce qui est meilleur sur cet appareil reste",
     settings: "Prendre aussi les réglages",
     settingsLong: "Langue, apparence et affichage de l’image",
@@ -74,6 +74,9 @@ export const device = {
       settings: "Les réglages qu’il contient sont illisibles.",
       course: "L’avancement du cours qu’il contient est illisible.",
       taught: "Les exercices d’un formateur qu’il contient sont illisibles.",
+      forms: "Les formulaires d’exercices qu’il contient sont illisibles.",
+      worked: "Les temps de travail des exercices qu’il contient sont illisibles.",
+      results: "Les résultats d’apprenants qu’il contient sont illisibles.",
     },
     take: "Reprendre",
     nothing: "Rien de choisi",

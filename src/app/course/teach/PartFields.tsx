@@ -2,6 +2,7 @@ import { outlinesFrom, PART_SOURCES, partOfMade } from "../../../course/made/mad
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { isSameSize } from "../../../course/made/form-of-task.ts";
 import { wantedPart } from "../../../course/wanted-part.ts";
+import { usualTable } from "../../../program/cutting-table.ts";
 import { sizeChoices } from "./size-choices.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 import { TeachText, type FormPart } from "./WordFields.tsx";
@@ -30,6 +31,15 @@ export function PartFields({ made, change, answer }: FormPart & { readonly answe
       <TeachText label={t.blank} isNc rows={rows(blank)} value={blank} change={(text) => put({ blank: text })} />
       <TeachText label={t.outside} hint={t.partHint} isNc rows={rows(outside)} value={outside} change={(text) => put({ outside: text })} />
       <TeachText label={t.bore} isNc rows={rows(bore)} value={bore} change={(text) => put({ bore: text })} />
+      <label className="teach-text">
+        {t.material}
+        <select className="select" value={made.material ?? ""}
+          onChange={({ currentTarget: { value } }) => change({ material: value === "" ? null : value })}
+        >
+          <option value="">{t.anyMaterial}</option>
+          {usualTable.materials.map(({ id, name }) => <option key={id} value={id}>{name}</option>)}
+        </select>
+      </label>
     </fieldset>
   );
 }

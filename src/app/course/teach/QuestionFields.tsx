@@ -1,8 +1,9 @@
 import type { Answer } from "../../../course/judge/judgement.ts";
 import type { Truth } from "../../../course/judge/predicting.ts";
-import { ASKED_KINDS, choicesOf, hasAt, hasOperation, hasWithin, isThere, proposedQuestion, type AskedKind,
-  type QuestionDraft } from "../../../course/made/made-questions.ts";
-import { formatNumber } from "../../../i18n/number.ts";
+import { choicesOf, hasAt, hasOperation, hasWithin, isThere, proposedQuestion } from "../../../course/made/made-questions.ts";
+import { ASKED_KINDS, type AskedKind, type QuestionDraft } from "../../../course/made/question-draft.ts";
+import { withSign } from "../../../course/made/made-form.ts";
+import { decimalSign, formatNumber } from "../../../i18n/number.ts";
 import { Icon } from "../../Icon.tsx";
 import { useSettings } from "../../settings/settings.ts";
 import { placeWords } from "../task/mark-words.ts";
@@ -23,12 +24,15 @@ interface QuestionsProps extends FormPart {
 /** What is asked before the run. What is right is told by the run, as it is typed. */
 export function QuestionFields({ made, change, begun, solution, truths }: QuestionsProps) {
   const t = useTeachTexts();
+  const sign = useSettings((s) => decimalSign(s.language));
   const { questions, sizes } = made;
   const proposed = (ask: AskedKind): QuestionDraft | null => {
-    const at = String(sizes.find(({ kind }) => kind === ask)?.at ?? 0);
+    const at = withSign(String(sizes.find(({ kind }) => kind === ask)?.at ?? 0), sign);
     const wording = t.wordings[ask];
     const text = typeof wording === "string" ? wording : wording(at);
-    return begun && { ...proposedQuestion(ask, begun, { solution, at, fates: t.fates }), text };
+    if (!begun) return null;
+    const draft = proposedQuestion(ask, begun, { solution, at, fates: t.fates });
+    return { ...draft, within: withSign(draft.within, sign), text };
   };
   const put = (index: number, some: Partial<QuestionDraft>) =>
     change({ questions: questions.map((each, i) => (i === index ? { ...each, ...some } : each)) });

@@ -1,15 +1,18 @@
 import { useId, useState } from "react";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { isRight, type Truth } from "../../../course/judge/predicting.ts";
-import { choicesOf, predictionOf, type QuestionDraft } from "../../../course/made/made-questions.ts";
+import { choicesOf, predictionOf } from "../../../course/made/made-questions.ts";
+import type { QuestionDraft } from "../../../course/made/question-draft.ts";
 import { answerKindOf, toldBy } from "../../../course/told.ts";
+import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { loadCourseTask } from "../../../i18n/load-course-task.ts";
-import { formatFixed } from "../../../i18n/number.ts";
+import { formatFixed, formatNumber } from "../../../i18n/number.ts";
 import { radius, toDiameter } from "../../../kernel/units.ts";
 import { Icon } from "../../Icon.tsx";
 import { laterTexts } from "../../settings/later-texts.ts";
 import { useSettings } from "../../settings/settings.ts";
 import { AskedAnswer } from "../task/AskedAnswer.tsx";
+import { placeWords } from "../task/mark-words.ts";
 import { QuestionPicture } from "./QuestionPicture.tsx";
 import { useTeachTexts } from "./use-teach-texts.ts";
 import "../task/task.css";
@@ -70,6 +73,7 @@ function Asked({ draft, truth, begun, shows }: { readonly draft: QuestionDraft; 
         <b>{draft.text}</b>
       </p>
       <AskedAnswer prediction={prediction} put={say} text={text} choices={choicesOf(draft)} t={task} labelled={labelled} />
+      {shows && truth && <Right truth={truth} draft={draft} unit={unitOf(task, draft.ask)} />}
       <p role="status" className="teach-status">
         {said !== null && (
           <span className={right ? "teach-good" : "teach-bad"}>
@@ -79,4 +83,25 @@ function Asked({ draft, truth, begun, shows }: { readonly draft: QuestionDraft; 
       </p>
     </div>
   );
+}
+
+/** Decimals of what the run says. */
+const DECIMALS = 2;
+
+const unitOf = ({ foretell: { units } }: CourseTaskTexts, ask: string): string => (ask in units ? units[ask as keyof typeof units] : "");
+
+/** What is right, in words. */
+function Right({ truth, draft, unit }: { readonly truth: Truth; readonly draft: QuestionDraft; readonly unit: string }) {
+  const t = useTeachTexts();
+  const language = useSettings((s) => s.language);
+  switch (truth.kind) {
+    case "number":
+      return <p>{truth.value === null ? t.noTruth : t.rightIs(`${formatNumber(language, truth.value, DECIMALS)} ${unit}`.trim())}</p>;
+    case "choice":
+      return <p>{t.rightIs(choicesOf(draft)[truth.right] ?? "–")}</p>;
+    case "block":
+      return <p>{t.rightIs(truth.right.join(", "))}</p>;
+    case "place":
+      return <p>{truth.place ? t.rightIs(t.place(...placeWords(language, truth.place))) : t.noTruth}</p>;
+  }
 }

@@ -1,27 +1,26 @@
 import { openText } from "../../files/open-program.ts";
 import { Icon } from "../../Icon.tsx";
-import type { ResultColumn, ResultRow } from "./result-rows.ts";
+import { NUMBERS, type ResultColumn, type ResultRow } from "./result-rows.ts";
 import { leaveTaught } from "./taught-shown.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 
-const NUMBERS: readonly ResultColumn[] = ["tries", "hints", "time", "steps", "machining", "score"];
-
 /** One task of one learner, with the way to its program. `waits`: it is being run. */
-export function ResultLine({ row: { result }, columns, text, waits }: { readonly row: ResultRow; readonly columns: readonly ResultColumn[];
-  readonly text: Readonly<Record<ResultColumn, string>>; readonly waits: boolean })
+export function ResultLine({ row: { result, earlier }, columns, text, waits }: { readonly row: ResultRow;
+  readonly columns: readonly ResultColumn[]; readonly text: Readonly<Record<ResultColumn, string>>; readonly waits: boolean })
 {
   const { results: words } = useTeachTexts();
   const { program } = result;
+  const cell = (column: ResultColumn) => (column === "made" && earlier ? `${text.made} · ${words.earlier}` : text[column]);
   return (
-    <tr>
+    <tr className={earlier ? "taught-earlier" : undefined}>
       {columns.map((column) =>
         column === "task"
           ? <th key={column} scope="row">{text.task}</th>
           : (
-            <td key={column} className={NUMBERS.includes(column) ? "number" : undefined}
+            <td key={column} className={NUMBERS.includes(column) ? "number" : `taught-${column}`}
               role={column === "again" && waits ? "status" : undefined}
             >
-              {text[column]}
+              {cell(column)}
             </td>
           )
       )}

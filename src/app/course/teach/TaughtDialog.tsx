@@ -4,6 +4,7 @@ import { blankOfLines } from "../../../course/wanted-part.ts";
 import { boxAround } from "../../../kernel/box.ts";
 import { toDiameter, radius } from "../../../kernel/units.ts";
 import { HandingDialog } from "../../handing/HandingDialog.tsx";
+import { Icon } from "../../Icon.tsx";
 import { useSettings } from "../../settings/settings.ts";
 import { inScreenLanguage } from "../content.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
@@ -11,20 +12,32 @@ import { beginTask } from "../task/begin.ts";
 import { ResultView } from "./ResultView.tsx";
 import { keepTask, startTaught, useTaught } from "./taught.ts";
 import { taughtFile } from "./taught-files.ts";
+import { TaughtProblemView } from "./TaughtProblemView.tsx";
 import { leaveTaught, useTaughtShown } from "./taught-shown.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 import type { Task } from "../../../course/task.ts";
 import "./teach.css";
 
+/** Most fields that are named at once. */
+const MOST_LEFT = 12;
+
 /** What came from outside: a task, before it is kept or begun; or results that a learner handed in. */
 export function TaughtDialog() {
   const shown = useTaughtShown((s) => s.shown);
   useEffect(startTaught, []);
-  if (shown?.kind === "task") return <IncomingTask task={shown.task} />;
-  return shown && <ResultView shown={shown} />;
+  switch (shown?.kind) {
+    case "task":
+      return <IncomingTask task={shown.task} left={shown.left} />;
+    case "results":
+      return <ResultView leftOut={shown.leftOut} />;
+    case "problem":
+      return <TaughtProblemView file={shown.file} problem={shown.problem} />;
+    case undefined:
+      return null;
+  }
 }
 
-function IncomingTask({ task }: { readonly task: Task }) {
+function IncomingTask({ task, left }: { readonly task: Task; readonly left: readonly string[] }) {
   const t = useTeachTexts();
   const language = useSettings((s) => s.language);
   const isHere = useTaught((s) => s.list.some((each) => JSON.stringify(each) === JSON.stringify(task)));
@@ -46,6 +59,11 @@ function IncomingTask({ task }: { readonly task: Task }) {
     <HandingDialog title={t.incoming.title(words?.title ?? task.id)} done={leaveTaught}>
       <p>{t.incoming.lead}</p>
       {isHere && <p className="field-message info">{t.incoming.isHere}</p>}
+      {left.length > 0 && (
+        <p className="field-message warning">
+          <Icon name="warning" /> <span>{t.problem.leftOut(left.slice(0, MOST_LEFT).join(", "))}</span>
+        </p>
+      )}
       {words && <p className="taught-ask">{words.ask}</p>}
       <dl className="handing-facts">
         {facts.map(([fact, value]) => (

@@ -10,6 +10,7 @@ import { beginTask } from "../task/begin.ts";
 import { textOfTask } from "../../../course/made/form-of-task.ts";
 import type { Task } from "../../../course/task.ts";
 import { undo, useSteps } from "../../steps.ts";
+import { showResults } from "./taught-shown.ts";
 import { copyTask, removeTask, startTaught, useTaught } from "./taught.ts";
 import { useTeachTextsSoon } from "./use-teach-texts.ts";
 import "./teach.css";
@@ -82,6 +83,9 @@ export function TaughtTasks() {
       <div className="handing-ways">
         <button type="button" className="button" aria-haspopup="dialog" onClick={() => handIn(true)}>
           <Icon name="share" /> {t.hand.open}
+        </button>
+        <button type="button" className="button" aria-haspopup="dialog" onClick={() => showResults()}>
+          <Icon name="compare" /> {t.results.collect}
         </button>
       </div>
       {changed && (

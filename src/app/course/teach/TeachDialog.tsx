@@ -2,11 +2,14 @@ import { useEffect, useRef, useState } from "react";
 import { answerOf } from "../../../course/judge/answer.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { formOfTask, languageOfTask, sizesOfBoth, textOfTask } from "../../../course/made/form-of-task.ts";
-import type { MadeTask } from "../../../course/made/made-form.ts";
+import { formWithSign, type MadeTask } from "../../../course/made/made-form.ts";
 import { partOfMade, proposedTask } from "../../../course/made/made-task.ts";
 import type { Task } from "../../../course/task.ts";
 import { wantedPart } from "../../../course/wanted-part.ts";
 import { Icon } from "../../Icon.tsx";
+import { useEditor } from "../../store.ts";
+import { decimalSign } from "../../../i18n/number.ts";
+import { usualTable } from "../../../program/cutting-table.ts";
 import { fingerprint } from "../../saving/difference.ts";
 import { useSettings } from "../../settings/settings.ts";
 import { useModal } from "../../use-modal.ts";
@@ -24,6 +27,12 @@ export type TeachSource = { readonly text: string; readonly work: string } | { r
 const makesPart = ({ run }: Answer): boolean => run.blank.length > 0 && run.steps.length > 0;
 const milledFrom = ({ run }: Answer): number | null => run.plane.find(({ kind }) => kind !== "rapid")?.block ?? null;
 
+/** The material that the open work says it is turned from, where it is one of the shipped list. */
+function openMaterial(): MadeTask["material"] {
+  const { job, program } = useEditor.getState(), open = (job ?? program)?.material;
+  return usualTable.materials.find(({ id }) => id === open)?.id ?? null;
+}
+
 function begunForm(source: TeachSource, screen: ReturnType<typeof useSettings.getState>["language"]): BegunForm | null {
   startForms();
   const base = "task" in source ? source.task : null, text = "task" in source ? textOfTask(source.task) : source.text;
@@ -33,7 +42,8 @@ function begunForm(source: TeachSource, screen: ReturnType<typeof useSettings.ge
   const keptAs = "task" in source ? keyOfTask(source.task.id) : keyOfWork(source.work), print = fingerprint(text);
   const language = base ? languageOfTask(base, screen) : screen, kept = keptForm(keptAs);
   const only: Partial<MadeTask> = isPart ? {} : { kind: "predict", start: "program" };
-  const form = kept?.form ?? { ...(base ? formOfTask(base, text, answer, language) : proposedTask(answer)), ...only };
+  const form = kept?.form
+    ?? { ...(base ? formOfTask(base, text, answer, language) : { ...proposedTask(answer), material: openMaterial() }), ...only };
   const sizes = sizesOfBoth(form.sizes, sizeChoices(wantedPart(partOfMade(form))));
   return {
     text,
@@ -44,7 +54,7 @@ function begunForm(source: TeachSource, screen: ReturnType<typeof useSettings.ge
     language,
     isPart,
     milled,
-    first: { ...form, sizes: kept ? form.sizes : sizes },
+    first: kept ? form : formWithSign({ ...form, sizes }, decimalSign(screen)),
     keptPrint: kept?.print ?? print,
   };
 }

@@ -3,12 +3,13 @@ import { answerOf } from "../../../course/judge/answer.ts";
 import { judge } from "../../../course/judge/judge.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { editedTask, type TaskLanguage } from "../../../course/made/form-of-task.ts";
-import type { MadeTask } from "../../../course/made/made-form.ts";
+import { formWithSign, type MadeTask } from "../../../course/made/made-form.ts";
 import { isThere, truthsOf } from "../../../course/made/made-questions.ts";
 import { asksBefore, begunOfMade, linesOfText, partOfMade, proposedTask, taskOfMade, wantsPart } from "../../../course/made/made-task.ts";
 import type { Task } from "../../../course/task.ts";
 import { wantedPart } from "../../../course/wanted-part.ts";
 import { Icon } from "../../Icon.tsx";
+import { decimalSign } from "../../../i18n/number.ts";
 import { useSettings } from "../../settings/settings.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
 import { keepForm, useForms } from "./kept-form.ts";
@@ -46,8 +47,8 @@ const NO_QUESTIONS: MadeTask["questions"] = [];
 const KINDS = ["make", "fault", "predict", "drawing"] as const;
 
 /** What the program proposes in place of what was taken from another one; what the instructor decided stays. */
-function proposedAnew(made: MadeTask, answer: Answer): MadeTask {
-  const fresh = proposedTask(answer), { blank, outside, bore, threads } = fresh;
+function proposedAnew(made: MadeTask, answer: Answer, sign: string): MadeTask {
+  const fresh = formWithSign(proposedTask(answer), sign), { blank, outside, bore, threads } = fresh;
   const rules = Object.fromEntries(
     Object.entries(fresh.rules).map(([name, { text }]) => [name, { on: made.rules[name as keyof MadeTask["rules"]].on, text }]),
   ) as MadeTask["rules"];
@@ -106,6 +107,7 @@ export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => vo
   const drawn = useMemo(() => ({
     id: "length" in task ? mark : task.id,
     part: partOfMade(settled),
+    ...(settled.material !== null && { material: settled.material }),
     sizes: settled.sizes.filter(({ on }) => on).map(({ upper, lower, kind, at, nominal }) => ({
       kind,
       at,
@@ -130,7 +132,7 @@ export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => vo
             {filledFrom !== print && (
               <button type="button" className="button" onClick={() => {
                 step();
-                put(proposedAnew(made, answer), print);
+                put(proposedAnew(made, answer, decimalSign(screen)), print);
               }}>
                 {t.proposeAnew}
               </button>

@@ -1,16 +1,18 @@
-import { answerOf } from "../../../course/judge/answer.ts";
 import { judge } from "../../../course/judge/judge.ts";
 import { RESULT_FORMAT, type HandedResult, type TaskResult } from "../../../course/made/result.ts";
 import { progressOfTask, type CourseProgress } from "../../../course/progress.ts";
 import type { Task } from "../../../course/task.ts";
 import type { Language } from "../../../i18n/languages.ts";
+import { shippedList } from "../../../program/tool-list.ts";
 import { time } from "../../clock.ts";
+import { outcomeBeside } from "../../engine/client.ts";
 import { printedText } from "../../printed.ts";
 import { readWork } from "../../saving/device.ts";
 import { refreshWorks } from "../../saving/keep.ts";
 import { isProgram } from "../../work.ts";
 import { fetchTask, inScreenLanguage } from "../content.ts";
 import { keptOfTask } from "../task/begin.ts";
+import type { Again } from "./result-rows.ts";
 import { useTaught } from "./taught.ts";
 import { countWork, workedIn } from "./working-time.ts";
 
@@ -18,10 +20,23 @@ import { countWork, workedIn } from "./working-time.ts";
 export const taskOfId = async (id: string): Promise<Task | null> =>
   useTaught.getState().list.find((task) => task.id === id) ?? fetchTask(id);
 
-/** What a program comes to in a task, run as every device runs it. */
-export function verdictHere(task: Task, program: string): NonNullable<TaskResult["verdict"]> {
-  const { passed, marks } = judge(task, answerOf(program));
+/** What a program comes to in a task, run as every device runs it, beside the page; null where that cannot be said. */
+export async function verdictHere(task: Task, program: string): Promise<TaskResult["verdict"]> {
+  const answer = await outcomeBeside({ name: `${task.id}.h`, text: program, encoding: "utf-8", tools: shippedList }, null);
+  if (!answer) return null;
+  const { passed, marks } = judge(task, answer);
   return { passed, refused: [...new Set(marks.filter((mark) => !mark.passed).map(({ rule }) => rule))] };
+}
+
+/** What a result that was handed in comes to on this device, with the task as it has it. */
+export async function runAgain({ id, program }: TaskResult): Promise<Again> {
+  const task = await taskOfId(id);
+  if (task?.kind === "predict") return "foretold";
+  if (program === null) return "none";
+  if (!task) return "unknown";
+  const verdict = await verdictHere(task, program);
+  if (!verdict) return "stopped";
+  return verdict.passed ? "passes" : "fails";
 }
 
 /** The last program that was made in a task on this device. */
@@ -50,11 +65,11 @@ export async function resultOf(id: string, progress: CourseProgress, language: L
     worked: Math.round(ms / SECOND),
     steps,
     program,
-    verdict: task && program !== null && task.kind !== "predict" ? verdictHere(task, program) : null,
+    verdict: task && program !== null && task.kind !== "predict" ? await verdictHere(task, program) : null,
   };
 }
 
-/** The results of tasks under a name, which may be empty. Pauses between tasks, so that the page stays alive. */
+/** The results of tasks under a name, which may be empty. */
 export async function handedResult(
   ids: readonly string[],
   name: string,
@@ -64,9 +79,6 @@ export async function handedResult(
   countWork();
   await refreshWorks();
   const tasks: TaskResult[] = [];
-  for (const id of ids) {
-    tasks.push(await resultOf(id, progress, language));
-    await new Promise((goOn) => setTimeout(goOn));
-  }
+  for (const id of ids) tasks.push(await resultOf(id, progress, language));
   return { format: RESULT_FORMAT, name: name.trim(), made: time(), tasks };
 }

@@ -1,37 +1,9 @@
 import { create } from "zustand";
-import { z } from "zod/mini";
-import { formShape, type MadeTask } from "../../../course/made/made-form.ts";
+import type { MadeTask } from "../../../course/made/made-form.ts";
 import { time } from "../../clock.ts";
 import { keepTable } from "../../saving/device-table.ts";
-
-/** A form as it was left, a mark of the program that it was filled in from, and when, ms since 1970. */
-export interface KeptForm {
-  readonly form: MadeTask;
-  readonly print: string;
-  readonly at: number;
-}
-/** Forms by what they are of: a work of this device, or a kept task that is being changed. */
-export type KeptForms = Readonly<Record<string, KeptForm>>;
-
-/** Most forms that are kept; the oldest give way. */
-const MOST_FORMS = 40;
-const kept = z.object({
-  version: z.literal(1),
-  forms: z.record(z.string().check(z.maxLength(200)), z.object({ form: formShape, print: z.string(), at: z.number() })),
-});
-
-/** Kept forms; null where they are damaged. Never throws. */
-export function readForms(text: string): KeptForms | null {
-  try {
-    const read = kept.safeParse(JSON.parse(text));
-    return read.success ? read.data.forms : null;
-  } catch {
-    return null;
-  }
-}
-
-export const writeForms = (forms: KeptForms): string | null =>
-  Object.keys(forms).length === 0 ? null : JSON.stringify({ version: 1, forms });
+import { noteChange } from "../../steps.ts";
+import { MOST_FORMS, readForms, writeForms, type KeptForm, type KeptForms } from "./form-list.ts";
 
 /** The forms that are filled in on this device: one that is closed, or lost with its page, loses nothing. */
 export const useForms = create<{ readonly list: KeptForms; readonly isKept: boolean }>(() => ({ list: {}, isKept: true }));
@@ -51,7 +23,7 @@ export function startForms(): void {
     isSame: (one, other) => writeForms(one) === writeForms(other),
     write: writeForms,
     read: readForms,
-    take: (list) => useForms.setState({ list }),
+    take: put,
     damaged: () => undefined,
     notKept: () => useForms.setState({ isKept: false }),
   });
@@ -65,14 +37,31 @@ export const keptForm = (key: string): KeptForm | undefined => {
   return Object.hasOwn(list, key) ? list[key] : undefined;
 };
 
+const newest = (list: KeptForms): KeptForms =>
+  Object.fromEntries(Object.entries(list).toSorted(([, a], [, b]) => b.at - a.at).slice(0, MOST_FORMS));
+
 /** Keeps a form as it stands. */
 export function keepForm(key: string, form: MadeTask, print: string): void {
-  useForms.setState(({ list }) => {
-    const all = Object.entries({ ...list, [key]: { form, print, at: time() } });
-    return { list: Object.fromEntries(all.toSorted(([, a], [, b]) => b.at - a.at).slice(0, MOST_FORMS)) };
-  });
+  useForms.setState(({ list }) => ({ list: newest({ ...list, [key]: { form, print, at: time() } }) }));
 }
 
 /** Lets a form go: what it was for is done. */
 export const forgetForm = (key: string): void =>
   useForms.setState(({ list }) => ({ list: Object.fromEntries(Object.entries(list).filter(([other]) => other !== key)) }));
+
+const put = (list: KeptForms): void => useForms.setState({ list });
+
+/** Forms of another device that this one does not have. `nameHere`: what a work is called here that had another name there. */
+export const missingForms = (brought: KeptForms, mine: KeptForms, nameHere: ReadonlyMap<string, string> = new Map()): KeptForms =>
+  Object.fromEntries(
+    Object.entries(brought).map(([key, form]) => [nameHere.get(key) ?? key, form] as const).filter(([key]) => !Object.hasOwn(mine, key)),
+  );
+
+/** Takes forms of another device beside those that are here, as one step. */
+export function bringForms(brought: KeptForms, nameHere: ReadonlyMap<string, string>): void {
+  const { list } = useForms.getState(), fresh = missingForms(brought, list, nameHere);
+  if (Object.keys(fresh).length === 0) return;
+  const next = newest({ ...fresh, ...list });
+  put(next);
+  noteChange(put, list, next);
+}

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { HandedResult, TaskResult } from "../../../course/made/result.ts";
-import { isAmong, resultsCsv, resultRows, sheetCell, sortedRows, type Again } from "./result-rows.ts";
+import { isAmong, learnerCount, resultsCsv, resultRows, sheetCell, sortedRows, type Again, type LearnerFile } from "./result-rows.ts";
 
 const task = (id: string, more: Partial<TaskResult> = {}): TaskResult => ({
   id,
@@ -26,10 +26,11 @@ const ada: HandedResult = {
 const none: HandedResult = { ...ada, name: "", tasks: [] };
 const zoe: HandedResult = { ...ada, name: "zoé", tasks: [task("pin", { seconds: 61.7, passed: { way: "alone", when: 7 } })] };
 
+const inFiles = (...all: readonly HandedResult[]): readonly LearnerFile[] => all.map((result, i) => ({ file: `${i}.json`, result }));
 const compare = (a: string, b: string) => a.localeCompare(b, "en");
 
 test("rows of several learners are sorted by any column, and by none as they came", () => {
-  const rows = resultRows([zoe, none, ada]);
+  const rows = resultRows(inFiles(zoe, none, ada));
   const again = new Map<string, Again>([["0 pin", "fails"], ["2 disc", "passes"]]);
   const order = (column: Parameters<typeof sortedRows>[1], down = false) =>
     sortedRows(rows, column, down, { again, compare }).map(({ name, result }) => `${name} ${result.id}`);
@@ -40,18 +41,47 @@ test("rows of several learners are sorted by any column, and by none as they cam
   expect(order("machining")[0]).toBe("zoé pin");
   expect(order("state")[0]).toBe("zoé pin");
   expect(order("again")).toEqual(["Ada disc", "zoé pin", "Ada pin"]);
-  expect(resultRows([none])).toEqual([]);
+  expect(resultRows(inFiles(none))).toEqual([]);
+});
+
+test("of a task that a learner handed in twice the newest counts and the others stay; who has no name is another each time", () => {
+  const later = { ...ada, name: " ada  ", made: ada.made + 7, tasks: [task("disc", { tries: 5 }), task("bush")] };
+  const all = inFiles(later, ada, zoe, { ...none, tasks: [task("pin")] }, { ...none, tasks: [task("pin")] });
+  expect(learnerCount(all)).toBe(4);
+  expect(resultRows(all).map(({ key, earlier }) => `${key}${earlier ? " earlier" : ""}`)).toEqual([
+    "0 disc",
+    "0 bush",
+    "1 pin",
+    "1 disc earlier",
+    "2 pin",
+    "3 pin",
+    "4 pin",
+  ]);
+  // Of two of the same moment one counts, and only one.
+  expect(resultRows(inFiles(ada, { ...ada, tasks: [task("pin", { tries: 12 })] })).map(({ earlier }) => earlier)).toEqual([
+    true,
+    false,
+    false,
+  ]);
 });
 
 test("the same file is known again", () => {
-  expect(isAmong([ada, zoe], { ...zoe })).toBe(true);
-  expect(isAmong([ada], { ...ada, made: ada.made + 1 })).toBe(false);
+  expect(isAmong(inFiles(ada, zoe), { ...zoe })).toBe(true);
+  expect(isAmong(inFiles(ada), { ...ada, made: ada.made + 1 })).toBe(false);
 });
 
-test.each([[`=HYPERLINK("x")`, `"'=HYPERLINK(""x"")"`], ["+49 7", "'+49 7"], ["-1", "'-1"], ["@a", "'@a"], ["a;b", `"a;b"`], [
-  "a\r\n=b",
-  "a =b",
-], ["Zoé", "Zoé"]])("%s is text in a sheet", (text, cell) => {
+test.each([
+  [`=HYPERLINK("x")`, `"'=HYPERLINK(""x"")"`],
+  ["+49 7", "'+49 7"],
+  ["-1", "'-1"],
+  ["@a", "'@a"],
+  ["＝1+1", "'＝1+1"],
+  ["  =1+1", "'  =1+1"],
+  ["李雷“一”", "李雷“一”"],
+  ["a;b", `"a;b"`],
+  ["a\r\n=b", "a =b"],
+  ["Zoé", "Zoé"],
+])("%s is text in a sheet", (text, cell) => {
   expect(sheetCell(text, { separator: ";", decimal: "," })).toBe(cell);
 });
 

@@ -1,29 +1,56 @@
 import type { HandedResult, TaskResult } from "../../../course/made/result.ts";
 import { stateOfTask, type TaskState } from "../../../course/progress.ts";
 
-/** What a program comes to when it is run here; "unknown" where this device does not have its task, "foretold" where a task has none. */
-export type Again = "passes" | "fails" | "unknown" | "foretold" | "none";
+/**
+ * What a program comes to when it is run here; "unknown" where this device does not have its task, "foretold" where a task has
+ * none, "stopped" where the run came to no end.
+ */
+export type Again = "passes" | "fails" | "unknown" | "foretold" | "none" | "stopped";
 
-/** One task of one learner. */
+/** Results of one learner as they came; without a file's name where they came by a link. */
+export interface LearnerFile {
+  readonly file: string;
+  readonly result: HandedResult;
+}
+
+/** One task of one learner, as one file has it. */
 export interface ResultRow {
   readonly key: string;
   /** As typed; empty where none was. */
   readonly name: string;
   /** When it was handed in, ms since 1970. */
   readonly made: number;
+  /** The same learner handed in the same task later: that one counts. */
+  readonly earlier: boolean;
   readonly state: TaskState;
   readonly result: TaskResult;
 }
 
-/** Rows in the order in which the files came. */
-export const resultRows = (all: readonly HandedResult[]): readonly ResultRow[] =>
-  all.flatMap(({ name, made, tasks }, i) =>
-    tasks.map((result) => ({ key: `${i} ${result.id}`, name, made, state: stateOfTask(result), result }))
+/** A name with one blank between its words. */
+export const plainName = (name: string): string => name.trim().replace(/\s+/g, " ");
+
+/** Who handed something in, whatever the case of the name and the blanks in it; who typed no name is somebody of their own each time. */
+const learnerOf = (name: string, index: number): string => {
+  const plain = plainName(name).normalize("NFKC").toLowerCase();
+  return plain === "" ? `#${index}` : `=${plain}`;
+};
+
+/** How many learners there are. */
+export const learnerCount = (all: readonly LearnerFile[]): number => new Set(all.map(({ result }, i) => learnerOf(result.name, i))).size;
+
+/** Rows in the order in which the files came. Of a task that was handed in more than once the newest counts, of one age the last. */
+export function resultRows(all: readonly LearnerFile[]): readonly ResultRow[] {
+  const rows = all.flatMap(({ result: { name, made, tasks } }, i) =>
+    tasks.map((result) => ({ who: `${learnerOf(name, i)} ${result.id}`, key: `${i} ${result.id}`, name: plainName(name), made, result }))
   );
+  const newest = new Map<string, (typeof rows)[number]>();
+  for (const row of rows) if (!((newest.get(row.who)?.made ?? -Infinity) > row.made)) newest.set(row.who, row);
+  return rows.map(({ who, ...row }) => ({ ...row, earlier: newest.get(who)?.key !== row.key, state: stateOfTask(row.result) }));
+}
 
 /** Whether a file of results is among those that are there. */
-export const isAmong = (all: readonly HandedResult[], one: HandedResult): boolean =>
-  all.some((each) => JSON.stringify(each) === JSON.stringify(one));
+export const isAmong = (all: readonly LearnerFile[], one: HandedResult): boolean =>
+  all.some(({ result }) => JSON.stringify(result) === JSON.stringify(one));
 
 /** Columns that rows can be sorted by, as they stand in the table. */
 export const RESULT_COLUMNS = [
@@ -42,8 +69,11 @@ export const RESULT_COLUMNS = [
 ] as const;
 export type ResultColumn = (typeof RESULT_COLUMNS)[number];
 
+/** Columns of numbers, which are written to the right. */
+export const NUMBERS: readonly ResultColumn[] = ["tries", "hints", "time", "steps", "machining", "score"];
+
 const STATES: readonly TaskState[] = ["alone", "hints", "solution", "tried", "new"];
-const AGAIN: readonly Again[] = ["passes", "fails", "foretold", "none", "unknown"];
+const AGAIN: readonly Again[] = ["passes", "fails", "foretold", "none", "unknown", "stopped"];
 
 type Sorted = string | number;
 
@@ -116,7 +146,7 @@ export function sheetCell(value: string | number | null, { separator, decimal }:
   if (value === null) return "";
   if (typeof value === "number") return String(value).replace(".", decimal);
   const plain = value.replace(/[\r\n\t]+/g, " ");
-  const safe = /^\s*[=+\-@|%]/.test(plain) ? `'${plain}` : plain;
+  const safe = /^\s*[=+\-@|%＝＋－＠]/.test(plain) ? `'${plain}` : plain;
   return safe.includes(separator) || /["]|^\s|\s$/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 }
 

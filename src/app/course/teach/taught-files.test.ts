@@ -35,14 +35,14 @@ const result = readResult({
 test("a task and results come out of a link and of a file as they went in", () => {
   if (!result) throw new Error("no result");
   const page = "https://example.org/turnwise/";
-  for (const [link, content] of [[taskLink(page, task), { kind: "task", task }], [resultLink(page, result), {
+  for (const [link, content] of [[taskLink(page, task), { kind: "task", task, left: [] }], [resultLink(page, result), {
     kind: "result",
     result,
   }]] as const) {
     expect(link.startsWith(`${page}#`)).toBe(true);
     expect(readTaughtLink(link.slice(page.length))).toEqual(content);
   }
-  expect(readTaught(taughtFile(task))).toEqual({ kind: "task", task });
+  expect(readTaught(taughtFile(task))).toEqual({ kind: "task", task, left: [] });
   expect(readTaught(taughtFile(result))).toEqual({ kind: "result", result });
 });
 
@@ -53,7 +53,20 @@ test("what is altered, cut, larger than is opened or of a newer edition is told 
   expect(readTaughtLink(hash, 300)).toEqual({ kind: "tooLarge" });
   expect(readTaughtLink(hash.replace("#t1", "#t2"))).toEqual({ kind: "newer" });
   expect(readTaught(taughtFile(task).replace("turnwise-task/1", "turnwise-task/3"))).toEqual({ kind: "newer" });
-  expect(readTaught(taughtFile(task).replace('"make"', '"bake"'))).toEqual({ kind: "damaged" });
-  expect(readTaught(JSON.stringify({ ...task, words: {} }))).toEqual({ kind: "damaged" });
-  expect(readTaught("0 BEGIN PGM A MM")).toEqual({ kind: "damaged" });
+  expect(readTaught(taughtFile(task).replace('"make"', '"bake"'))).toEqual({
+    kind: "fields",
+    faults: [{ path: "kind", kind: "oneOf", wanted: "make, fault, predict, drawing" }],
+  });
+  expect(readTaught(JSON.stringify({ ...task, words: {} }))).toEqual({
+    kind: "fields",
+    faults: [{ path: "words", kind: "missing", wanted: "" }],
+  });
+  expect(readTaught("0 BEGIN PGM A MM")).toMatchObject({ kind: "notJson" });
+  expect(readTaught('{\n "format": "turnwise-task/1",\n "id" 7\n}')).toEqual({ kind: "notJson", line: 3 });
+  expect(readTaught('{"tools":[]}')).toEqual({ kind: "foreign" });
+  expect(readTaught('{"format":"turnwise-archive/9"}')).toEqual({ kind: "foreign" });
+  expect(readTaught("null")).toEqual({ kind: "foreign" });
+  expect(readTaught(taughtFile(task).padEnd(4_000_001))).toEqual({ kind: "tooLarge" });
+  if (result) expect(readTaught(taughtFile(result).replace('"hints": 1', '"hints": -1'))).toEqual({ kind: "damaged" });
+  expect(readTaught(`\uFEFF${taughtFile(task)}`)).toMatchObject({ kind: "task" });
 });

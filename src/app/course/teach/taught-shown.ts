@@ -1,39 +1,48 @@
 import { create } from "zustand";
 import type { HandedResult } from "../../../course/made/result.ts";
 import type { Task } from "../../../course/task.ts";
-import { isAmong } from "./result-rows.ts";
+import { gather, startGathered, useGathered } from "./gathered.ts";
+import { isAmong, type LearnerFile } from "./result-rows.ts";
+import type { TaughtProblem } from "./taught-files.ts";
 
-/** Results of learners, with the names of files beside them that are none, and of those that were there already. */
-export interface ShownResults {
-  readonly kind: "results";
-  readonly results: readonly HandedResult[];
-  readonly notRead: readonly string[];
-  readonly twice: readonly string[];
+/** A file that brought no results, by its name, and why: it is here already, holds a task, or cannot be read. */
+export interface FileLeftOut {
+  readonly file: string;
+  readonly why: { readonly kind: "twice" } | { readonly kind: "task" } | TaughtProblem;
 }
 
-/** Something of a course that came from outside, shown before anything becomes of it. */
-export type TaughtShown = { readonly kind: "task"; readonly task: Task } | ShownResults;
+/** Something of a course that came from outside, shown before anything becomes of it. `left`: fields of a task that nobody knows. */
+export type TaughtShown = { readonly kind: "task"; readonly task: Task; readonly left: readonly string[] } | { readonly kind: "results";
+  readonly leftOut: readonly FileLeftOut[] } | { readonly kind: "problem"; readonly file: string; readonly problem: TaughtProblem };
 
 export const useTaughtShown = create<{ readonly shown: TaughtShown | null }>(() => ({ shown: null }));
 
-export const showTask = (task: Task): void => useTaughtShown.setState({ shown: { kind: "task", task } });
+export const showTask = (task: Task, left: readonly string[] = []): void =>
+  useTaughtShown.setState({ shown: { kind: "task", task, left } });
+export const showProblem = (file: string, problem: TaughtProblem): void =>
+  useTaughtShown.setState({ shown: { kind: "problem", file, problem } });
 export const leaveTaught = (): void => useTaughtShown.setState({ shown: null });
 
-/** A file of results, by its name; without results where it holds none. */
-export interface NamedResult {
-  readonly file: string;
-  readonly result: HandedResult | null;
-}
+/** A file of results, by its name; or why it brings none. */
+export type NamedResult = { readonly file: string; readonly result: HandedResult } | FileLeftOut;
 
-/** Shows results, beside those that are shown already; each file once. */
-export function showResults(come: readonly NamedResult[]): void {
+/** Shows the gathered results, and what came beside them; each file once. What became of files that came before stays to be seen. */
+export function showResults(come: readonly NamedResult[] = []): void {
+  startGathered();
   const { shown } = useTaughtShown.getState();
-  const results = shown?.kind === "results" ? [...shown.results] : [];
-  const notRead: string[] = [], twice: string[] = [];
-  for (const { file, result } of come) {
-    if (!result) notRead.push(file);
-    else if (isAmong(results, result)) twice.push(file);
-    else results.push(result);
+  const { list } = useGathered.getState();
+  const fresh: LearnerFile[] = [], leftOut: FileLeftOut[] = shown?.kind === "results" ? [...shown.leftOut] : [];
+  for (const one of come) {
+    if ("why" in one) leftOut.push(one);
+    else if (isAmong([...list, ...fresh], one.result)) leftOut.push({ file: one.file, why: { kind: "twice" } });
+    else fresh.push(one);
   }
-  useTaughtShown.setState({ shown: { kind: "results", results, notRead, twice } });
+  gather(fresh);
+  const known = new Set<string>();
+  const each = leftOut.filter((one) => {
+    const key = JSON.stringify(one), isNew = !known.has(key);
+    known.add(key);
+    return isNew;
+  });
+  useTaughtShown.setState({ shown: { kind: "results", leftOut: each } });
 }

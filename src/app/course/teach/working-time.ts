@@ -1,33 +1,14 @@
 import { create } from "zustand";
-import { z } from "zod/mini";
 import { time } from "../../clock.ts";
 import { keepTable } from "../../saving/device-table.ts";
-import { useSteps } from "../../steps.ts";
+import { noteChange, useSteps } from "../../steps.ts";
 import { useEditor } from "../../store.ts";
-
-/** How long a task was open and visible, ms, and how many changes were made in it. */
-export interface Worked {
-  readonly ms: number;
-  readonly steps: number;
-}
-export type WorkedTasks = Readonly<Record<string, Worked>>;
+import { mergedWorked, readWorked, writeWorked, type Worked, type WorkedTasks } from "./worked-list.ts";
 
 /** What was worked in each task on this device, by its id. */
 export const useWorked = create<{ readonly list: WorkedTasks }>(() => ({ list: {} }));
 
-const shape = z.object({
-  version: z.literal(1),
-  tasks: z.record(z.string().check(z.maxLength(100)), z.object({ ms: z.number(), steps: z.int() })),
-});
-
-export function readWorked(text: string): WorkedTasks | null {
-  try {
-    const read = shape.safeParse(JSON.parse(text));
-    return read.success ? read.data.tasks : null;
-  } catch {
-    return null;
-  }
-}
+const put = (list: WorkedTasks): void => useWorked.setState({ list });
 
 const NOTHING: Worked = { ms: 0, steps: 0 };
 export const workedIn = (id: string): Worked => {
@@ -69,9 +50,9 @@ export function startWorkingTime(): void {
     store: useWorked,
     first: {},
     isSame: (one, other) => JSON.stringify(one) === JSON.stringify(other),
-    write: (list) => (Object.keys(list).length === 0 ? null : JSON.stringify({ version: 1, tasks: list })),
+    write: writeWorked,
     read: readWorked,
-    take: (list) => useWorked.setState({ list }),
+    take: put,
     damaged: () => undefined,
     notKept: () => undefined,
   });
@@ -86,4 +67,11 @@ export function startWorkingTime(): void {
   document.addEventListener("visibilitychange", countWork);
   addEventListener("pagehide", countWork);
   setInterval(countWork, EVERY);
+}
+
+/** Takes what was worked on another device, as a step; of both the more counts. */
+export function bringWorked(brought: WorkedTasks): void {
+  const { list } = useWorked.getState(), next = mergedWorked(list, brought);
+  put(next);
+  noteChange(put, list, next);
 }

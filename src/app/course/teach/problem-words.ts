@@ -1,0 +1,30 @@
+import type { FieldFault } from "../../../course/read-task.ts";
+import { LARGEST_TAUGHT, type TaughtProblem } from "./taught-files.ts";
+import { useTeachTexts } from "./use-teach-texts.ts";
+
+/** Most faults that are told at once. */
+const MOST_TOLD = 10;
+const MEGABYTE = 1_000_000;
+
+/** Says why a file or a link brings nothing: a sentence, and what is wrong with each of its fields. */
+export function useProblemWords(): (problem: TaughtProblem) => readonly string[] {
+  const { problem: words } = useTeachTexts();
+  const ofField = ({ path, kind, wanted }: FieldFault): string => {
+    if (kind === "type") return words.fault.type(path, words.types[wanted as keyof typeof words.types] ?? wanted);
+    return words.fault[kind](path, wanted);
+  };
+  return (problem) => {
+    switch (problem.kind) {
+      case "notJson":
+        return [problem.line === null ? words.notJson : words.notJsonAt(String(problem.line))];
+      case "tooLarge":
+        return [words.tooLarge(String(LARGEST_TAUGHT / MEGABYTE))];
+      case "fields": {
+        const { faults } = problem, more = faults.length - MOST_TOLD;
+        return [words.fields, ...faults.slice(0, MOST_TOLD).map(ofField), ...(more > 0 ? [words.more(String(more))] : [])];
+      }
+      default:
+        return [words[problem.kind]];
+    }
+  };
+}

@@ -1,0 +1,66 @@
+import { mergedProgress, NO_PROGRESS, type CourseProgress } from "../../course/progress.ts";
+import type { Task } from "../../course/task.ts";
+import { bringProgress, startLearning, useLearning } from "../course/progress.ts";
+import { bringGathered, startGathered, useGathered } from "../course/teach/gathered.ts";
+import { bringForms, keyOfWork, missingForms, startForms, useForms } from "../course/teach/kept-form.ts";
+import { isAmong } from "../course/teach/result-rows.ts";
+import { bringTasks, startTaught, useTaught } from "../course/teach/taught.ts";
+import { bringWorked, startWorkingTime, useWorked } from "../course/teach/working-time.ts";
+import { mergedWorked } from "../course/teach/worked-list.ts";
+import type { ArchiveContent } from "../saving/archive.ts";
+import { fingerprint } from "../saving/difference.ts";
+import { joinLastTwo, useSteps } from "../steps.ts";
+
+/** What an archive brings of the course: of learners and of instructors. */
+export type BroughtCourse = Pick<ArchiveContent, "course" | "taught" | "forms" | "worked" | "results">;
+
+/** The same of this device. */
+export function courseHere() {
+  startLearning();
+  startTaught();
+  startForms();
+  startWorkingTime();
+  startGathered();
+  return {
+    course: useLearning.getState().list,
+    taught: useTaught.getState().list,
+    forms: useForms.getState().list,
+    worked: useWorked.getState().list,
+    results: useGathered.getState().list,
+  };
+}
+
+/** True where a progress in the course holds something that was not reached here. */
+export const bringsProgress = (brought: CourseProgress, mine: CourseProgress): boolean =>
+  fingerprint(mergedProgress(mine, brought)) !== fingerprint(mine);
+
+/** True where an instructor's tasks are brought that are not here. */
+export const bringsTasks = (brought: readonly Task[], mine: readonly Task[]): boolean =>
+  brought.some(({ id }) => !mine.some((task) => task.id === id));
+
+/** True where anything of a course is brought that is not here. */
+export const bringsCourse = ({ course, taught, forms, worked, results }: BroughtCourse, mine: ReturnType<typeof courseHere>): boolean =>
+  bringsProgress(course ?? NO_PROGRESS, mine.course)
+  || bringsTasks(taught ?? [], mine.taught)
+  || Object.keys(missingForms(forms ?? {}, mine.forms)).length > 0
+  || fingerprint(mergedWorked(mine.worked, worked ?? {})) !== fingerprint(mine.worked)
+  || (results ?? []).some(({ result }) => !isAmong(mine.results, result));
+
+/** Takes what is brought of the course, as one step. `named`: works that have another name here than where they come from. */
+export function takeCourse({ course, taught, forms, worked, results }: BroughtCourse, named: ReadonlyMap<string, string>): void {
+  courseHere();
+  const names = new Map([...named].map(([there, here]) => [keyOfWork(there), keyOfWork(here)] as const));
+  const before = useSteps.getState().past.at(-1);
+  const ways: readonly (() => void)[] = [
+    () => course && bringProgress(course),
+    () => taught && bringTasks(taught),
+    () => forms && bringForms(forms, names),
+    () => worked && bringWorked(worked),
+    () => results && bringGathered(results),
+  ];
+  for (const take of ways) {
+    const was = useSteps.getState().past.at(-1);
+    take();
+    if (was !== before && useSteps.getState().past.at(-1) !== was) joinLastTwo();
+  }
+}
