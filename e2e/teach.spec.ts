@@ -62,7 +62,7 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   const other = learner.page;
   await other.goto("about:blank");
   await other.goto(`${link.slice(0, link.indexOf("#"))}${link.slice(link.indexOf("#"), -20)}`);
-  await expect(other.getByText(learner.t.page.notice.linkDamaged)).toBeVisible();
+  await expect(other.getByRole("dialog", { name: words.problem.link, exact: true })).toContainText(words.problem.damaged);
   await other.goto("about:blank");
   await other.goto(link);
   const incoming = learner.teaching.incoming(title);

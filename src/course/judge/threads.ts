@@ -7,7 +7,7 @@ import type { Answer, TaskMark } from "./judgement.ts";
 /** How far apart the profile of a thread is looked at, mm. */
 const STEP = 0.02;
 /** It is looked at that often at most: a thread as long as no lathe is costs no more than others. */
-const MOST_LINES = 100_000;
+const MOST_LINES = 20_000;
 /** The share of the depth that a groove has at least, and that at which it is told from its neighbours. */
 const DEEP = 0.85;
 const APART = 0.5;

@@ -1,3 +1,4 @@
+import { boxAround } from "../../kernel/box.ts";
 import { simplified } from "../../kernel/clip.ts";
 import { at, type Pt, type Ring } from "../../kernel/point.ts";
 import type { Place } from "../camera.ts";
@@ -19,6 +20,8 @@ const FINE = 0.004;
 export const BESIDE = 0.02;
 /** How finely the ends of a thread's line are looked for, mm. */
 const STEP_IN = 0.05;
+/** On a part that is longer than a lathe they are looked for less finely. */
+const MOST_STEPS = 40_000;
 /** An edge that goes along the axis by less is upright, mm: the first chord of an arc goes along it by a thousandth. */
 const UPRIGHT = 0.00001;
 
@@ -67,8 +70,11 @@ function breakLine(x: number, top: number, bottom: number): string {
 }
 
 /** A level line without its ends that stand out of the part, as over a chamfer. */
-function within(body: readonly Ring[], [a, b]: readonly [Pt, Pt]): readonly [Pt, Pt] {
-  const steps = Math.ceil(Math.abs(b.z - a.z) / STEP_IN), way = Math.sign(b.z - a.z) * STEP_IN;
+function within(body: readonly Ring[], ends: readonly [Pt, Pt]): readonly [Pt, Pt] {
+  const { left, right } = boxAround([...body]);
+  const [a, b] = ends.map(({ z, r }) => at(Math.min(right, Math.max(left, z)), r)) as [Pt, Pt];
+  const long = Math.abs(b.z - a.z), step = Math.max(STEP_IN, long / MOST_STEPS), steps = Math.ceil(long / step);
+  const way = Math.sign(b.z - a.z) * step;
   const isIn = (z: number) => {
     const span = spanAt(body, z);
     return span !== null && span.low <= a.r && a.r <= span.high;

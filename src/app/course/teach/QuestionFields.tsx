@@ -26,27 +26,32 @@ export function QuestionFields({ made, change, begun, solution, truths }: Questi
   const t = useTeachTexts();
   const sign = useSettings((s) => decimalSign(s.language));
   const { questions, sizes } = made;
+  const worded = (ask: AskedKind, at: string): string => {
+    const wording = t.wordings[ask];
+    return typeof wording === "string" ? wording : wording(at);
+  };
   const proposed = (ask: AskedKind): QuestionDraft | null => {
     const at = withSign(String(sizes.find(({ kind }) => kind === ask)?.at ?? 0), sign);
-    const wording = t.wordings[ask];
-    const text = typeof wording === "string" ? wording : wording(at);
     if (!begun) return null;
     const draft = proposedQuestion(ask, begun, { solution, at, fates: t.fates });
-    return { ...draft, within: withSign(draft.within, sign), text };
+    return { ...draft, within: withSign(draft.within, sign), text: worded(ask, at) };
   };
   const put = (index: number, some: Partial<QuestionDraft>) =>
     change({ questions: questions.map((each, i) => (i === index ? { ...each, ...some } : each)) });
-  /** Words that were proposed and not typed over follow what is asked. */
+  /** Words that were proposed and not typed over follow what is asked, and where. */
+  const isProposed = ({ ask: asked, at, text }: QuestionDraft) => text.trim() === "" || text === worded(asked, at);
   const ask = (index: number, draft: QuestionDraft, next: AskedKind) => {
-    const was = proposed(draft.ask), now = proposed(next);
-    if (now) put(index, { ...now, ...(draft.text !== was?.text && draft.text.trim() !== "" && { text: draft.text }) });
+    const now = proposed(next);
+    if (now) put(index, isProposed(draft) ? now : { ...now, text: draft.text });
   };
+  const putTyped = (index: number, draft: QuestionDraft, some: Partial<QuestionDraft>) =>
+    put(index, some.at === undefined || !isProposed(draft) ? some : { ...some, text: worded(draft.ask, some.at) });
   return (
     <fieldset>
       <legend>{t.questions}</legend>
       <p className="small soft">{t.questionsHint}</p>
       {questions.map((draft, i) => (
-        <OneQuestion key={i} index={i} draft={draft} truth={truths[i] ?? null} begun={begun} put={(some) => put(i, some)}
+        <OneQuestion key={i} index={i} draft={draft} truth={truths[i] ?? null} begun={begun} put={(some) => putTyped(i, draft, some)}
           ask={(next) => ask(i, draft, next)} remove={() => change({ questions: questions.filter((_, at) => at !== i) }, true)} />
       ))}
       <div className="handing-ways">
