@@ -13,12 +13,14 @@ import { isProgram } from "../../work.ts";
 import { fetchTask, inScreenLanguage } from "../content.ts";
 import { keptOfTask } from "../task/begin.ts";
 import type { Again } from "./result-rows.ts";
-import { useTaught } from "./taught.ts";
+import { startTaught, useTaught } from "./taught.ts";
 import { countWork, workedIn } from "./working-time.ts";
 
 /** A task by its id: one that was handed out, or one of the course; null where this device has none. */
-export const taskOfId = async (id: string): Promise<Task | null> =>
-  useTaught.getState().list.find((task) => task.id === id) ?? fetchTask(id);
+export async function taskOfId(id: string): Promise<Task | null> {
+  startTaught();
+  return useTaught.getState().list.find((task) => task.id === id) ?? fetchTask(id);
+}
 
 /** What a program comes to in a task, run as every device runs it, beside the page; null where that cannot be said. */
 export async function verdictHere(task: Task, program: string): Promise<TaskResult["verdict"]> {
