@@ -9,7 +9,7 @@ import { bringWorked, startWorkingTime, useWorked } from "../course/teach/workin
 import { mergedWorked } from "../course/teach/worked-list.ts";
 import type { ArchiveContent } from "../saving/archive.ts";
 import { fingerprint } from "../saving/difference.ts";
-import { joinLastTwo, useSteps } from "../steps.ts";
+import { asOneStep } from "../steps.ts";
 
 /** What an archive brings of the course: of learners and of instructors. */
 export type BroughtCourse = Pick<ArchiveContent, "course" | "taught" | "forms" | "worked" | "results">;
@@ -50,17 +50,11 @@ export const bringsCourse = ({ course, taught, forms, worked, results }: Brought
 export function takeCourse({ course, taught, forms, worked, results }: BroughtCourse, named: ReadonlyMap<string, string>): void {
   courseHere();
   const names = new Map([...named].map(([there, here]) => [keyOfWork(there), keyOfWork(here)] as const));
-  const before = useSteps.getState().past.at(-1);
-  const ways: readonly (() => void)[] = [
-    () => course && bringProgress(course),
-    () => taught && bringTasks(taught),
-    () => forms && bringForms(forms, names),
-    () => worked && bringWorked(worked),
-    () => results && bringGathered(results),
-  ];
-  for (const take of ways) {
-    const was = useSteps.getState().past.at(-1);
-    take();
-    if (was !== before && useSteps.getState().past.at(-1) !== was) joinLastTwo();
-  }
+  asOneStep(() => {
+    if (course) bringProgress(course);
+    if (taught) bringTasks(taught);
+    if (forms) bringForms(forms, names);
+    if (worked) bringWorked(worked);
+    if (results) bringGathered(results);
+  });
 }
