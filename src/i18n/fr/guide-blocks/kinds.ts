@@ -3,12 +3,12 @@ import { typeset } from "../typeset.ts";
 /** What each kind of block does, the rule of the control for it, and what is often done wrong with it. */
 export const blockKinds = typeset({
   begin: {
-    about: "Le premier bloc : nom et unité du programme.",
+    about: "La première séquence : nom et unité du programme.",
     rule: "Le nom est celui du fichier.",
-    mistakes: ["Le fichier est renommé et le bloc garde l’ancien nom."],
+    mistakes: ["Le fichier est renommé et la séquence garde l’ancien nom."],
   },
   end: {
-    about: "Le dernier bloc. Ce qui suit n’est pas exécuté.",
+    about: "La dernière séquence. Ce qui suit n’est pas exécuté.",
     rule: "Nom et unité sont ceux de BEGIN PGM.",
     mistakes: ["M30 manque : broche et arrosage restent en marche à la fin."],
   },
@@ -39,14 +39,14 @@ export const blockKinds = typeset({
     mistakes: ["Il sert pour des outils de tournage : ceux-ci demandent leur tableau."],
   },
   toolCall: {
-    about: "Change l’outil, ou sans outil seulement vitesse, avance ou surcotes. Ensuite personne ne sait où est "
+    about: "Change l’outil, ou sans outil seulement vitesse, avance ou surépaisseurs. Ensuite personne ne sait où est "
       + "la pointe avant qu’elle soit positionnée.",
     rule: "Il met fin aux valeurs de FUNCTION TURNDATA CORR et à la correction de rayon.",
-    mistakes: ["Le premier bloc qui suit ne nomme qu’un axe : l’autre vient de n’importe où."],
+    mistakes: ["La première séquence qui suit ne nomme qu’un axe : l’autre vient de n’importe où."],
   },
   mode: {
     about: "Passe du tournage au fraisage et retour. En tournage X est un ⌀, et c’est la broche de la pièce qui tourne.",
-    rule: "MODE TURN avant le premier bloc de tournage ; la machine peut demander sa cinématique.",
+    rule: "MODE TURN avant la première séquence de tournage ; la machine peut demander sa cinématique.",
     mistakes: ["Il manque : X compte comme rayon et les cycles de tournage sont refusés."],
   },
   spin: {
@@ -71,7 +71,7 @@ export const blockKinds = typeset({
   },
   LP: {
     about: "Droite vers un point donné par distance et angle depuis le pôle CC.",
-    rule: "Un bloc CC précède.",
+    rule: "Une séquence CC précède.",
     mistakes: ["Un autre CC est entre les deux : le point est ailleurs."],
   },
   C: {
@@ -100,14 +100,14 @@ export const blockKinds = typeset({
     mistakes: ["Le pôle est pris pour le centre de l’arc."],
   },
   CC: {
-    about: "Centre de C et CP, et pôle de tous les blocs polaires.",
+    about: "Centre de C et CP, et pôle de toutes les séquences polaires.",
     rule: "Il ne déplace rien et vaut jusqu’au CC suivant.",
     mistakes: ["X est saisi comme rayon en tournage ; c’est un ⌀."],
   },
   RND: {
-    about: "Arrondit le coin entre le bloc précédent et le suivant, sans point final propre.",
-    rule: "Il se trouve entre deux blocs de trajectoire du plan.",
-    mistakes: ["Le bloc suivant est trop court pour le rayon."],
+    about: "Arrondit le coin entre la séquence précédente et la suivante, sans point final propre.",
+    rule: "Il se trouve entre deux séquences de trajectoire du plan.",
+    mistakes: ["La séquence suivante est trop courte pour le rayon."],
   },
   chamfer: {
     about: "Casse le coin entre deux droites de la même longueur des deux côtés.",
@@ -166,7 +166,7 @@ export const blockKinds = typeset({
   },
   cycleCall: {
     about: "Exécute le dernier cycle défini, d’où se trouve l’outil.",
-    rule: "M99 dans un bloc de positionnement fait de même ; M89 le fait à chaque bloc jusqu’à M99.",
+    rule: "M99 dans une séquence de positionnement fait de même ; M89 le fait à chaque séquence jusqu’à M99.",
     mistakes: ["L’outil est dans la matière à l’appel."],
   },
   selectContour: {
@@ -175,7 +175,7 @@ export const blockKinds = typeset({
     mistakes: ["L’extension manque au nom."],
   },
   contourDefinition: {
-    about: "Zones, îlots et évidements d’un contour en un bloc.",
+    about: "Zones, îlots et évidements d’un contour en une séquence.",
     rule: "P est une zone, I un îlot, V un évidement.",
     mistakes: ["Un îlot précède la zone où il se trouve."],
   },
@@ -211,12 +211,12 @@ export const blockKinds = typeset({
     mistakes: ["Un autre tableau est actif sur la machine."],
   },
   mirror: {
-    about: "Inverse les coordonnées des blocs fraisés.",
+    about: "Inverse les coordonnées des séquences fraisées.",
     rule: "RESET, ou aucun axe, y met fin.",
     mistakes: ["Le fraisage en avalant devient en opposition."],
   },
   rotation: {
-    about: "Tourne le plan des blocs fraisés autour du point zéro.",
+    about: "Tourne le plan des séquences fraisées autour du point zéro.",
     rule: "RESET y met fin.",
     mistakes: ["Le pôle tourne aussi."],
   },
@@ -242,7 +242,7 @@ export const blockKinds = typeset({
   },
   functions: {
     about: "Fonctions M sans trajectoire : broche, arrosage, unité de l’avance.",
-    rule: "Les unes agissent avant le mouvement de leur bloc, les autres après.",
+    rule: "Les unes agissent avant le mouvement de leur séquence, les autres après.",
     mistakes: ["M136 manque avant la première avance par tour."],
   },
   stop: {

@@ -63,15 +63,15 @@ export const blockWords = typeset({
     mistakes: ["Elle est pensée pour la pièce tournée : là elle ne fait rien."],
   },
   "toolCall.feed": {
-    about: "Avance pour FAUTO et pour les blocs sans avance propre.",
+    about: "Avance pour FAUTO et pour les séquences sans avance propre.",
     mistakes: ["Elle est prise pour l’avance d’un cycle, qui a la sienne."],
   },
   deltaLength: {
-    about: "Surcote de longueur, ajoutée à celle du tableau.",
+    about: "Surépaisseur de longueur, ajoutée à celle du tableau.",
     mistakes: ["Elle sert pour des outils de tournage : là, c’est CORR-TCS."],
   },
   deltaRadius: {
-    about: "Surcote de rayon : plus laisse une surépaisseur aux contours fraisés.",
+    about: "Surépaisseur de rayon : plus laisse de la matière aux contours fraisés.",
     mistakes: ["Elle est restée de l’ébauche."],
   },
   mode: { about: "TURN pour tourner, MILL pour fraiser.", mistakes: ["MILL est oublié après le tournage : X reste un ⌀."] },
@@ -143,7 +143,7 @@ export const blockWords = typeset({
     mistakes: ["Elle est activée dans la coupe et non dans l’air.", "R0 manque à la fin."],
   },
   feed: {
-    about: "Avance de ce bloc et des suivants. FMAX ne vaut que dans son bloc, FAUTO prend celle de TOOL CALL.",
+    about: "Avance de cette séquence et des suivantes. FMAX ne vaut que dans sa séquence, FAUTO prend celle de TOOL CALL.",
     mistakes: ["Avec M136, une avance par minute est saisie.", "FMAX est là où l’outil coupe."],
   },
   functions: {
@@ -199,7 +199,7 @@ export const blockWords = typeset({
     about: "Un nombre, un paramètre ou un calcul avec + − * / et des fonctions.",
     mistakes: ["Les angles sont en degrés : SIN 30 vaut 0.5."],
   },
-  text: { about: "Ce qui est dans le bloc, en texte.", mistakes: ["Un point-virgule commence un commentaire."] },
+  text: { about: "Ce qui est dans la séquence, en texte.", mistakes: ["Un point-virgule commence un commentaire."] },
   parameter: {
     about: "Une valeur d’un cycle conservé ici. Son sens est dans le manuel de la commande.",
     mistakes: ["On la change en croyant que l’image suit."],
