@@ -47,7 +47,9 @@ export function courseModules(): Readonly<Record<string, string>> {
   const [lessons, tasks] = [files("lessons").map((each) => lessonSchema.parse(each)), files("tasks").map((each) => taskSchema.parse(each))];
   const cases = LANGUAGES.map((language) => `${language}: () => import("${id}/${language}")`);
   return {
-    [id]: `const made = { ${cases.join(", ")} };\nexport const courseIndexOf = async (language) => (await made[language]()).index;`,
+    [id]: `export const lessonNumbers = ${
+      JSON.stringify(Object.fromEntries(lessons.map((each) => [each.id, each.number])))
+    };\nconst made = { ${cases.join(", ")} };\nexport const courseIndexOf = async (language) => (await made[language]()).index;`,
     ...Object.fromEntries(
       LANGUAGES.map((language) => [`${id}/${language}`, `export const index = ${JSON.stringify(courseIndex(lessons, tasks, language))};`]),
     ),

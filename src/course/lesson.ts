@@ -41,7 +41,7 @@ export const lessonSchema = z.object({
   pages: z.array(page).check(z.minLength(1), z.maxLength(8)),
   /** A program that is opened in the editor to play with. */
   example: z.optional(lines),
-  /** Ids of its tasks, in order. */
+  /** Ids of its tasks, in order. They stay where a lesson moves, the number in them too: progress is kept by them, and nobody reads it. */
   tasks: z.array(z.string()),
   words: inLanguages(told),
 });

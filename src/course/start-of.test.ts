@@ -48,6 +48,14 @@ describe("where a task begins", () => {
       text: "0 BEGIN PGM A MM\n1 END PGM A MM\n",
     }));
 
+  test("its name has no number of a lesson: that may move", () =>
+    expect([
+      startOfTask(task({ id: "l12-820-empty", start: { empty: true } })),
+      startOfTask(task({ id: "l12-cap", start: { cycle: 812 } })),
+    ]).toMatchObject([{ name: "820-EMPTY.h", text: expect.stringContaining("BEGIN PGM 820-EMPTY MM") as string }, {
+      job: { name: "CAP" },
+    }]));
+
   test("an empty program has the blank of the part and runs to its end", () => {
     const start = startOfTask(task({ start: { empty: true }, part: { blank: ["BLK FORM CYLINDER Z D63.4 L71 DIST+0.8 DI12"] } }));
     if (start.kind !== "program") throw new Error("no program");

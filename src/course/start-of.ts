@@ -8,7 +8,7 @@ import { nameOnControl } from "../program/print-job.ts";
 import { shippedList, type ToolList } from "../program/tool-list.ts";
 import { cellOf } from "../program/tool-entry.ts";
 import { noWords } from "../program/typed-value.ts";
-import type { Task } from "./task.ts";
+import { shownId, type Task } from "./task.ts";
 
 /** What lies open when a task begins. */
 export type TaskStart = { readonly kind: "job"; readonly job: Job } | { readonly kind: "program"; readonly name: string;
@@ -21,7 +21,7 @@ export const programOfLines = (lines: readonly string[]): string => lines.map((l
 export const blocksOfLines = (lines: readonly string[]): readonly string[] => parse(programOfLines(lines)).blocks.map(({ raw }) => raw);
 
 /** The name that the work of a task has on the control. */
-const nameOf = ({ id }: Task): string => nameOnControl(id.toUpperCase());
+const nameOf = (task: Task): string => nameOnControl(shownId(task).toUpperCase());
 
 /** The name that a program gives itself. */
 const ownName = ([first = ""]: readonly string[]): string | undefined => /\bBEGIN\s+PGM\s+(\S+)/.exec(first)?.[1];

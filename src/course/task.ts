@@ -167,6 +167,13 @@ export const taskSchema = z.object({
 });
 
 export type Task = z.infer<typeof taskSchema>;
+
+/**
+ * A task's id as people read it, in names of programs and on drawings: without the number of the lesson that it was made for. Lessons move,
+ * ids stay: progress is kept by them.
+ */
+export const shownId = ({ id }: Pick<Task, "id">): string => id.replace(/^l\d\d-/, "");
+
 export type TaskRules = z.infer<typeof rules>;
 export type WrongAnswer = z.infer<typeof wrong>;
 export type TaskSize = z.infer<typeof size>;

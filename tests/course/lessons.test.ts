@@ -1,7 +1,9 @@
+import { isDeepStrictEqual } from "node:util";
 import { describe, expect, test } from "vitest";
 import { lessonSchema, type Lesson } from "../../src/course/lesson.ts";
 import { stepsPlayed, valueIn, withSlid } from "../../src/course/played.ts";
 import { programOfLines } from "../../src/course/start-of.ts";
+import { taskSchema } from "../../src/course/task.ts";
 import { LANGUAGES } from "../../src/i18n/languages.ts";
 import { radius, toDiameter } from "../../src/kernel/units.ts";
 import { parse } from "../../src/nc/parse.ts";
@@ -9,7 +11,7 @@ import { run } from "../../src/program/run.ts";
 import { shippedTools } from "../../src/program/shipped-tools.ts";
 
 const files = import.meta.glob<unknown>("../../src/course/lessons/*.json", { eager: true, import: "default" });
-const tasks = import.meta.glob<unknown>("../../src/course/tasks/*.json");
+const tasks = import.meta.glob<unknown>("../../src/course/tasks/*.json", { eager: true, import: "default" });
 const named = Object.entries(files).map(([path, raw]) => [path.slice(path.lastIndexOf("/") + 1, -".json".length), raw] as const);
 const ran = (lines: readonly string[]) => run(parse(programOfLines(lines)), { tools: shippedTools, rapid: 10_000 });
 
@@ -86,4 +88,53 @@ describe.each(named)("%s", (name, raw) => {
   test("its example runs", () => {
     if (example) expect(ran(example).steps.length).toBeGreaterThan(0);
   });
+});
+
+/** Lessons in the order of the course. */
+const inOrder = named.map(([, raw]) => lessonSchema.parse(raw)).toSorted((a, b) => a.number - b.number);
+
+describe("the printed examples", () => {
+  const pages = import.meta.glob<string>("../programs/cycle-*-tnc640-fr.h", { query: "?raw", import: "default", eager: true });
+  const programOf = (cycle: number) => pages[`../programs/cycle-${cycle}-tnc640-fr.h`] ?? "";
+  /** Values and contour of a program: what a page prints, without its block numbers and its words. */
+  const said = (text: string) => ({
+    values: Object.fromEntries([...text.matchAll(/\b(Q\d+) ?=?([+-][\d.]+)/g)].map(([, q, value]) => [q, Number(value)])),
+    contour: text.split("\n").map((line) => line.replace(/^\d+ +/, "").replaceAll(/ +/g, " ").trim()).filter((line) =>
+      /^(L (X\S+( Z\S+)?|Z\S+)|RND R\S+|CHF \S+)$/.test(line)
+    ),
+  });
+
+  test.each([812, 820, 852])("%i is built from an empty page by the middle of the course", (cycle) => {
+    const printed = said(programOf(cycle));
+    expect(Object.keys(printed.values).length).toBeGreaterThanOrEqual(14);
+    const order = inOrder.flatMap((lesson) => lesson.tasks.map((id) => taskSchema.parse(tasks[`../../src/course/tasks/${id}.json`])));
+    const built = order.findIndex(({ start, rules, solution }) =>
+      "empty" in start && rules.cycles?.includes(cycle) === true && isDeepStrictEqual(said(programOfLines(solution ?? [])), printed)
+    );
+    expect(built).toBeGreaterThanOrEqual(0);
+    expect(built + 1).toBeLessThanOrEqual(order.length / 2);
+  });
+});
+
+test("where a text names a lesson by its number, it is the one that is meant", () => {
+  const all: Readonly<Record<string, unknown>> = { ...files, ...tasks };
+  const names = /(?:lessons?|Lektion(?:en)?|leçons?) (\d+)|第 ?(\d+) ?课/gi;
+  for (const language of LANGUAGES) {
+    const told = Object.entries(all).flatMap(([path, raw]) => {
+      const { words } = raw as { words: Partial<Record<string, unknown>> };
+      const where = path.slice(path.lastIndexOf("/") + 1, -".json".length).replace(/^\d\d-/, "");
+      return [...JSON.stringify(words[language]).matchAll(names)].map(([, n, m]) => `${where}: ${inOrder[Number(n ?? m) - 1]?.id}`);
+    });
+    expect([language, told.toSorted()]).toEqual([language, [
+      "build-820: contour",
+      "build-820: direction",
+      "build-820: valleys",
+      "build-852: recess-turning",
+      "direction: contour",
+      "l02-sharper-corner: valleys",
+      "l14-852-empty: build-820",
+      "recess-turning: valleys",
+      "recessing: build-852",
+    ]]);
+  }
 });

@@ -1,3 +1,4 @@
+import { lessonNumbers } from "virtual:course-index";
 import { useEffect } from "react";
 import { Icon } from "../Icon.tsx";
 import { courseHref } from "./course-links.ts";
@@ -5,14 +6,17 @@ import { startLearning, useLearning } from "./progress.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 import "./entrance.css";
 
-/** The way into the course on the start page: to its list, or for who has begun to the page that was open last. */
+/**
+ * The way into the course on the start page: to its list, or for who has begun to the page that was open last. Its lesson may have moved
+ * since: the number is that of today.
+ */
 export function CourseEntrance() {
   const { entrance: t } = useCourseTexts();
   const last = useLearning((s) => s.list.last);
   useEffect(startLearning, []);
   return (
     <a className="course-entrance" href={last ? courseHref(last.lesson, last.page) : courseHref()}>
-      <b>{t.name}</b> <span className="soft">{last ? t.goOn(String(last.number)) : t.about}</span>
+      <b>{t.name}</b> <span className="soft">{last ? t.goOn(String(lessonNumbers[last.lesson] ?? last.number)) : t.about}</span>
       <Icon name="fold" />
     </a>
   );

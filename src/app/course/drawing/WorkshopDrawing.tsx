@@ -1,6 +1,6 @@
 import { useId, useMemo, useRef, useState } from "react";
 import { drawnTask } from "../../../course/printed-part.ts";
-import type { Task } from "../../../course/task.ts";
+import { shownId, type Task } from "../../../course/task.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { usualTable } from "../../../program/cutting-table.ts";
 import { workshopDrawing } from "../../../view/drawing/workshop-drawing.ts";
@@ -40,7 +40,7 @@ export function WorkshopDrawing({ task, language }: { readonly task: DrawableTas
   const print = useMemo(() => drawn && workshopDrawing(drawn, words, { width, height: PAPER.height }), [drawn, words, width]);
   const name = inScreenLanguage(task.words, language)?.title ?? task.id;
   if (!drawn || !print) return <p className="soft">{t.none}</p>;
-  const titled = { name, number: task.id, material: usualTable.materials.find(({ id }) => id === task.material)?.name };
+  const titled = { name, number: shownId(task), material: usualTable.materials.find(({ id }) => id === task.material)?.name };
   return (
     <figure className="workshop" aria-label={t.drawingOf(name)}>
       <div className="workshop-bar">
@@ -56,7 +56,7 @@ export function WorkshopDrawing({ task, language }: { readonly task: DrawableTas
         <TitleBlock title={sheetTitleOf({ titled, drawn, print, words, t })} />
         <SizeList id={list} list={print.list} general={print.general} words={words} t={t} />
       </figcaption>
-      {large && <DrawingSheet titled={titled} drawn={drawn} words={words} t={t} stem={task.id} onClose={() => setLarge(false)} />}
+      {large && <DrawingSheet titled={titled} drawn={drawn} words={words} t={t} stem={shownId(task)} onClose={() => setLarge(false)} />}
     </figure>
   );
 }

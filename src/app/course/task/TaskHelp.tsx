@@ -1,6 +1,6 @@
 import { useState } from "react";
 import { programOfLines } from "../../../course/start-of.ts";
-import type { Task, TaskWords } from "../../../course/task.ts";
+import { shownId, type Task, type TaskWords } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { showComparison } from "../../compare/compare-place.ts";
 import { startWork } from "../../saving/keep.ts";
@@ -74,7 +74,7 @@ export function TaskHelp({ task, t, words }: { readonly task: Task; readonly t: 
               {t.compare}
             </button>
             <button type="button" className="button" onClick={() =>
-              startWork({ name: `${task.id}_solution.h`, text, encoding: "utf-8", ...broughtBy(handedOn(useEditor.getState())) })}
+              startWork({ name: `${shownId(task)}_solution.h`, text, encoding: "utf-8", ...broughtBy(handedOn(useEditor.getState())) })}
             >
               {t.openSolution}
             </button>
