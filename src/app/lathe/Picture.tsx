@@ -112,8 +112,10 @@ export function Picture({ of = null, viewport, scene, moving, waiting, gouges, r
           {chosen}
         </World>
       </svg>
-      {moving && <RunningTool viewport={viewport} moving={moving} />}
-      {waiting?.tool && waiting.start && <WaitingTool viewport={viewport} tool={waiting.tool} at={waiting.start} />}
+      {moving && <RunningTool viewport={viewport} moving={moving} section={section} />}
+      {waiting?.tool && waiting.start && (
+        <WaitingTool viewport={viewport} tool={waiting.tool} at={waiting.start} blank={waiting.blank} section={section} />
+      )}
       <svg className="sheet">
         <World viewport={viewport}>{hovered} {moving && <RunningMove moving={moving} />}</World>
         {children}

@@ -1,12 +1,14 @@
 import { useEffect, useMemo, useRef } from "react";
 import { insertOutline } from "../../kernel/insert.ts";
-import type { Pt } from "../../kernel/point.ts";
+import type { Pt, Ring } from "../../kernel/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { boundsOf, common, grownBounds } from "../../view/bounds.ts";
 import { toScreen, type Bounds } from "../../view/camera.ts";
+import { clipOf, frontOf, liesInward, windowsOf } from "../../view/cutting-tool/covered.ts";
 import { toolBox } from "../../view/cutting-tool/drawing.ts";
 import { tipAt } from "../../view/tip.ts";
+import type { SectionView } from "../settings/settings.ts";
 import { BreakLine } from "./BreakLine.tsx";
 import { ChipSheet } from "./ChipSheet.tsx";
 import { DrawnTool } from "./DrawnTool.tsx";
@@ -25,84 +27,138 @@ function boxesOf(tool: Tool): { readonly insert: Bounds; readonly all: Bounds } 
   return { insert, all: toolBox(tool) ?? insert };
 }
 
-/**
- * A tool on a sheet no larger than itself, and what lies at its tip. The sheet is drawn anew for another tool or another zoom; where the
- * tip goes both follow with one transform, which costs the page no layout and no painting.
- */
-function Sheet({ viewport, tool, tip, follow, children }: {
+/** Where a tool stands, and what tells of it. */
+interface Standing {
   readonly viewport: Viewport;
   readonly tool: Tool;
   /** Where the tip stands now; null: nowhere. */
   readonly tip: () => Pt | null;
   /** Calls when the tip has moved; returns what ends it. */
   readonly follow: (listener: () => void) => () => void;
-  /** Drawn over the tool, its origin at the tip. */
-  readonly children?: React.ReactNode;
-}) {
-  const carrier = useRef<HTMLDivElement>(null), sheet = useRef<SVGSVGElement>(null), world = useRef<SVGGElement>(null);
-  const boxes = useMemo(() => boxesOf(tool), [tool]);
+}
+
+/** Carries what it holds where the tip goes, its origin at the tip: one transform, which costs the page no layout and no painting. */
+function Carrier({ viewport, tip, follow, children }: Omit<Standing, "tool"> & { readonly children: React.ReactNode }) {
+  const carrier = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    const element = sheet.current, carried = carrier.current;
-    if (!element || !carried) return undefined;
+    const carried = carrier.current;
+    if (!carried) return undefined;
     const place = () => {
       const at = tip();
       if (!at) return;
       const camera = viewport.get(), { x, y } = toScreen(camera, at), grown = camera.scale / viewport.drawn().scale;
       carried.style.transform = `translate(${x}px, ${y}px)${grown === 1 ? "" : ` scale(${grown})`}`;
     };
+    place();
+    const ends = [viewport.subscribe(place), follow(place)];
+    return () => ends.forEach((end) => end());
+  }, [viewport, tip, follow]);
+  return <div ref={carrier} className="tool-carrier">{children}</div>;
+}
+
+/** A tool on a sheet no larger than itself, drawn anew for another tool or another zoom. */
+function Sheet({ viewport, tool }: Pick<Standing, "viewport" | "tool">) {
+  const sheet = useRef<SVGSVGElement>(null), world = useRef<SVGGElement>(null);
+  const boxes = useMemo(() => boxesOf(tool), [tool]);
+  useEffect(() => {
+    const element = sheet.current;
+    if (!element) return undefined;
     let scale = 0, up: boolean | null = null;
     const draw = () => {
       const camera = viewport.drawn(), size = viewport.size();
-      if (camera.scale !== scale || camera.xUp !== up) {
-        [scale, up] = [camera.scale, camera.xUp];
-        const far = (PICTURES * Math.max(size.width, size.height)) / scale;
-        const { left, right, low, high } = common(boxes.all, grownBounds(boxes.insert, far));
-        const top = up ? -high : low;
-        const corner = { x: left * scale - LINE, y: top * scale - LINE };
-        element.style.left = `${corner.x}px`;
-        element.style.top = `${corner.y}px`;
-        element.setAttribute("width", String(Math.ceil((right - left) * scale + 2 * LINE)));
-        element.setAttribute("height", String(Math.ceil((high - low) * scale + 2 * LINE)));
-        world.current?.setAttribute("transform", `matrix(${scale} 0 0 ${up ? -scale : scale} ${-corner.x} ${-corner.y})`);
-      }
-      place();
+      if (camera.scale === scale && camera.xUp === up) return;
+      [scale, up] = [camera.scale, camera.xUp];
+      const far = (PICTURES * Math.max(size.width, size.height)) / scale;
+      const { left, right, low, high } = common(boxes.all, grownBounds(boxes.insert, far));
+      const top = up ? -high : low;
+      const corner = { x: left * scale - LINE, y: top * scale - LINE };
+      element.style.left = `${corner.x}px`;
+      element.style.top = `${corner.y}px`;
+      element.setAttribute("width", String(Math.ceil((right - left) * scale + 2 * LINE)));
+      element.setAttribute("height", String(Math.ceil((high - low) * scale + 2 * LINE)));
+      world.current?.setAttribute("transform", `matrix(${scale} 0 0 ${up ? -scale : scale} ${-corner.x} ${-corner.y})`);
     };
     draw();
-    const ends = [viewport.subscribe(draw), follow(place)];
-    return () => ends.forEach((end) => end());
-  }, [viewport, boxes, tip, follow]);
+    return viewport.subscribe(draw);
+  }, [viewport, boxes]);
+  return (
+    <svg ref={sheet} className="tool-sheet">
+      <g ref={world}>
+        <DrawnTool tool={tool} />
+      </g>
+    </svg>
+  );
+}
+
+/** A tool that the work may cover: seen where the section is open and out of the work, or as edges behind it. */
+function CoveredTool({ section, front, ...standing }: Standing & { readonly section: SectionView; readonly front: number }) {
+  const { viewport } = standing, seen = useRef<HTMLDivElement>(null), other = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const look = () => {
+      const windows = windowsOf(section, viewport.get(), viewport.size(), front);
+      if (seen.current) seen.current.style.clipPath = windows ? clipOf(windows.seen) : "";
+      if (!other.current) return;
+      other.current.style.clipPath = windows ? clipOf(windows.other) : "";
+      other.current.style.display = windows ? "" : "none";
+    };
+    look();
+    return viewport.subscribe(look);
+  }, [viewport, section, front]);
+  const drawn = (
+    <>
+      <Carrier {...standing}>
+        <Sheet {...standing} />
+      </Carrier>
+      <BreakLine {...standing} />
+    </>
+  );
   return (
     <>
-      <div ref={carrier} className="tool-carrier">
-        <svg ref={sheet} className="tool-sheet">
-          <g ref={world}>
-            <DrawnTool tool={tool} />
-          </g>
-        </svg>
-        {children}
-      </div>
-      <BreakLine viewport={viewport} tool={tool} tip={tip} follow={follow} />
+      <div ref={seen} className="tool-window">{drawn}</div>
+      <div ref={other} className={`tool-window${section === "outside" ? " behind" : ""}`}>{drawn}</div>
+    </>
+  );
+}
+
+/** A tool, and what is drawn over it at its tip: the work never covers that. */
+function StandingTool({ section, front, children, ...standing }: Standing & {
+  readonly section: SectionView;
+  /** Where the work ends at its free end, mm. */
+  readonly front: number;
+  readonly children?: React.ReactNode;
+}) {
+  const { tool } = standing, inward = useMemo(() => liesInward(tool), [tool]), covered = inward && section !== "full";
+  return (
+    <>
+      {covered && <CoveredTool {...standing} section={section} front={front} />}
+      {(!covered || children) && <Carrier {...standing}>{!covered && <Sheet {...standing} />} {children}</Carrier>}
+      {!covered && <BreakLine {...standing} />}
     </>
   );
 }
 
 /** Insert and holder of the running move, with the chip that it takes. */
-export function RunningTool({ viewport, moving }: { readonly viewport: Viewport; readonly moving: Moving }) {
-  const { steps, playback } = moving;
+export function RunningTool({ viewport, moving, section }: { readonly viewport: Viewport; readonly moving: Moving;
+  readonly section: SectionView })
+{
+  const { steps, playback, stockAt } = moving;
   const index = usePlayback(playback, (store) => stepIndex(steps, store.shown()));
   const tip = useMemo(() => () => tipAt(steps, playback.shown()), [steps, playback]);
+  const front = useMemo(() => frontOf(stockAt({ step: index, fraction: 0 })), [stockAt, index]);
   const tool = steps[index]?.tool;
   return tool && (
-    <Sheet viewport={viewport} tool={tool} tip={tip} follow={playback.subscribe}>
+    <StandingTool viewport={viewport} tool={tool} tip={tip} follow={playback.subscribe} section={section} front={front}>
       <ChipSheet viewport={viewport} moving={moving} />
-    </Sheet>
+    </StandingTool>
   );
 }
 
 const NEVER = () => () => undefined;
 
 /** The tool where it stands at the call of the cycle. */
-export function WaitingTool({ viewport, tool, at }: { readonly viewport: Viewport; readonly tool: Tool; readonly at: Pt }) {
-  const tip = useMemo(() => () => at, [at]);
-  return <Sheet viewport={viewport} tool={tool} tip={tip} follow={NEVER} />;
+export function WaitingTool({ viewport, tool, at, blank, section }: { readonly viewport: Viewport; readonly tool: Tool; readonly at: Pt;
+  readonly blank: readonly Ring[]; readonly section: SectionView })
+{
+  const tip = useMemo(() => () => at, [at]), front = useMemo(() => frontOf(blank), [blank]);
+  return <StandingTool viewport={viewport} tool={tool} tip={tip} follow={NEVER} section={section} front={front} />;
 }

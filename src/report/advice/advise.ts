@@ -5,7 +5,7 @@ import { cutLength, isBar, noseRadius } from "../../kernel/insert.ts";
 import type { Spindle } from "../../kernel/step.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { radians, rounded, roundedDown } from "../../kernel/units.ts";
-import { rzByRule } from "../../sim/load/cusp.ts";
+import { ROUGH_RZ, rzByRule } from "../../sim/load/cusp.ts";
 import type { CuttingTable, CutMaterial } from "../../program/cutting-table.ts";
 import { cuttingPower, depthForPower, EDGE_USED, FEED_OF_NOSE, feedForRz, heldDownTo } from "./formulas.ts";
 
@@ -46,8 +46,7 @@ export type Advice = {
 
 /** The place of advice on the spindle. */
 export const SPINDLE = "spindle";
-/** Theoretical roughness that is rough for a finished surface, and one that is usual for it, µm. */
-const ROUGH = 10;
+/** Theoretical roughness that is usual for a finished surface, µm. */
 const USUAL_RZ = 6.3;
 /** So far from the starting value a cutting speed is worth a word, as a factor. */
 const FAR = 1.6;
@@ -76,7 +75,7 @@ function ofSurface({ cycle, tool, values, perRevolution }: Advised): readonly Ad
   const at = qOf(cycle, "finishingFeed"), nose = noseRadius(tool), feed = at === null ? undefined : values[at];
   if (at === null || !perRevolution || isBar(tool) || nose === 0 || !positive(feed)) return [];
   const rz = rzByRule(feed, nose);
-  if (rz <= ROUGH) return [];
+  if (rz <= ROUGH_RZ) return [];
   return [{ code: "rough", at, data: { rz, feed, nose, wanted: USUAL_RZ }, better: Number(feedForRz(USUAL_RZ, nose).toFixed(2)) }];
 }
 

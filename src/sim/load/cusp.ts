@@ -15,6 +15,9 @@ const MICRONS = 1000;
  */
 export const rzByRule = (feed: number, nose: number): number => (MICRONS * feed * feed) / (8 * nose);
 
+/** Theoretical roughness from which on a surface is rough, not finished, µm. */
+export const ROUGH_RZ = 10;
+
 /** The same of the circle itself, µm: r − √(r² − f²/4); not a number beyond f = 2r, where neighbouring turns no longer meet on the nose. */
 export const rzOfCircle = (feed: number, nose: number): number => MICRONS * (nose - Math.sqrt(nose * nose - (feed * feed) / 4));
 

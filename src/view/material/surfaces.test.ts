@@ -3,8 +3,8 @@ import { expect, test } from "vitest";
 import flange from "../../examples/flange.h?raw";
 import type { Move } from "../../kernel/move.ts";
 import { at, type Ring } from "../../kernel/point.ts";
-import type { Step } from "../../kernel/step.ts";
-import { feed } from "../../kernel/units.ts";
+import type { Spindle, Step } from "../../kernel/step.ts";
+import { feed, length } from "../../kernel/units.ts";
 import { parse } from "../../nc/parse.ts";
 import { run } from "../../program/run.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
@@ -16,6 +16,7 @@ import { surfacesOf, type StockSide } from "./surfaces.ts";
 
 const tool = shippedTools[0] ?? expect.fail("there are tools");
 const rough = { phase: "rough", run: "rough", step: 2, pass: 1 } as const, finish = { phase: "finish", run: "finish", step: 2 } as const;
+const SPINDLE: Spindle = { kind: "constant", speed: 960 };
 const BLANK: Ring = [at(-63.7, 0), at(0.8, 0), at(0.8, 25.3), at(-63.7, 25.3)];
 const moves: readonly Move[] = [
   { kind: "rapid", to: at(2.3, 22.37), ...rough },
@@ -37,7 +38,7 @@ const done = { step: steps.length, fraction: 0 };
 
 /** The looks of the level outsides of the stock, from left to right. */
 function outside(now: { readonly step: number; readonly fraction: number }) {
-  const surfaces = surfacesOf(steps, () => ({ kind: "constant", speed: 960 }));
+  const surfaces = surfacesOf(steps, () => SPINDLE);
   const { edges } = boundaryIn(stockAt(simulation, now), surfaces, now, -1000, 1000);
   return edges.filter((e) => e.r0 === e.r1 && e.r0 > 0).sort((a, b) => a.z0 - b.z0).map((e) => [e.r0, e.made.texture, e.made.pitch]);
 }
@@ -51,6 +52,22 @@ test("each level of the outside knows the move that made it, and its feed a turn
 test("while a move runs, it has made what lies behind the tool and no more", () => {
   expect(outside({ step: 4, fraction: 0.5 })).toEqual([[25.3, "raw", 0], [22.37, "rough", 0.31], [21.13, "finished", 0.125]]);
   expect(outside({ step: 4, fraction: 0.01 })).toEqual([[25.3, "raw", 0], [22.37, "rough", 0.31]]);
+});
+
+test("a path block that was typed is finished where its feed and the nose leave little, by the minute as by the turn", () => {
+  // A nose of 0.8 mm leaves 10 µm at 0.2530 mm a turn; 960 turns a minute.
+  const typed = { phase: "position", run: "rough", step: 0 } as const, side: StockSide = { z0: 0.8, r0: 22.37, z1: -29, r1: 22.37 };
+  const look = (value: number, feedUnit: "mm/rev" | "mm/min", more: Partial<Step> = {}, spindle: Spindle | null = SPINDLE) => {
+    const move: Move = { kind: "feed", to: at(-29.81, 22.37), feed: feed(value), feedUnit, ...typed };
+    const [first] = surfacesOf([{ ...(steps[1] as Step), move, ...more }], () => spindle).of(side, { step: 1, fraction: 0 });
+    return first?.made.texture;
+  };
+  expect([look(0.2529, "mm/rev"), look(0.2531, "mm/rev")]).toEqual(["finished", "rough"]);
+  expect([look(242.8, "mm/min"), look(243, "mm/min")]).toEqual(["finished", "rough"]);
+  expect(look(100, "mm/min", {}, null)).toBe("rough");
+  // What a cycle does beside its cuts finishes nothing, however slow; nor does an edge without a nose.
+  expect(look(0.1, "mm/rev", { operation: 0 })).toBe("rough");
+  expect(look(0.1, "mm/rev", { tool: { ...tool, RS: length(0) } })).toBe("rough");
 });
 
 test("a side that two moves made is told apart where they meet", () => {

@@ -1,5 +1,8 @@
+import { isDrill } from "../../kernel/drill.ts";
+import { noseRadius } from "../../kernel/insert.ts";
 import type { Spindle, Step } from "../../kernel/step.ts";
 import { GRID, SAME } from "../../kernel/tolerance.ts";
+import { ROUGH_RZ, rzByRule } from "../../sim/load/cusp.ts";
 import { feedPerTurn, rpmAt } from "../../sim/load/spindles.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { touchIndex } from "./touch-index.ts";
@@ -53,10 +56,10 @@ const LOOKS = [0.03, 0.5, 0.97] as const;
 /** Sides that are remembered. */
 const MOST = 20_000;
 
-/** Way in one turn of the work, mm; 0 where it is not known, and on arcs, whose marks stand at no even distance along the axis. */
-function pitchOf({ move, from }: Step, spindle: Spindle | null): number {
-  const pitch = move.kind === "arc" ? 0 : feedPerTurn(move, rpmAt(spindle, from.r));
-  return Number.isFinite(pitch) ? pitch : 0;
+/** Way in one turn of the work, mm; 0 where it is not known. */
+function perTurnOf({ move, from }: Step, spindle: Spindle | null): number {
+  const way = feedPerTurn(move, rpmAt(spindle, from.r));
+  return Number.isFinite(way) ? way : 0;
 }
 
 function wayOf({ from, move: { to } }: Step): readonly [number, number] {
@@ -64,9 +67,19 @@ function wayOf({ from, move: { to } }: Step): readonly [number, number] {
   return size > 0 ? [(to.z - from.z) / size, (to.r - from.r) / size] : [0, 0];
 }
 
-function textureOf({ move }: Step): Texture {
-  if (move.kind === "thread") return "thread";
-  return move.phase === "finish" ? "finished" : "rough";
+/**
+ * Whether a cut finishes. A cycle says what its cuts are for; a path block does not, and is held to the height that its feed and the nose
+ * of its tool leave between two turns.
+ */
+function finishes({ move, tool, operation }: Step, perTurn: number): boolean {
+  if (operation !== null || move.phase !== "position") return move.phase === "finish";
+  const nose = noseRadius(tool);
+  return perTurn > 0 && nose > 0 && !isDrill(tool) && rzByRule(perTurn, nose) <= ROUGH_RZ;
+}
+
+function textureOf(step: Step, perTurn: number): Texture {
+  if (step.move.kind === "thread") return "thread";
+  return finishes(step, perTurn) ? "finished" : "rough";
 }
 
 interface Known extends StockSide {
@@ -98,10 +111,12 @@ export function surfacesOf(steps: readonly Step[], spindleOf: (step: number) => 
   function madeBy(step: number): Maker {
     const s = steps[step];
     if (!s) return RAW;
+    const perTurn = perTurnOf(s, spindleOf(step));
     const have = made.get(step) ?? {
-      texture: textureOf(s),
+      texture: textureOf(s, perTurn),
       step,
-      pitch: pitchOf(s, spindleOf(step)),
+      // The marks of an arc stand at no even distance along the axis.
+      pitch: s.move.kind === "arc" ? 0 : perTurn,
       from: s.from.z,
       way: wayOf(s),
     };
