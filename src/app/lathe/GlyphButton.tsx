@@ -1,7 +1,7 @@
 import { Glyph, type GlyphName } from "./Glyph.tsx";
 
 /** A button that shows a glyph and is called by its name; with a text beside it where there is room. */
-export function GlyphButton({ glyph, name, onPress, pressed, expanded, disabled, text }: {
+export function GlyphButton({ glyph, name, onPress, pressed, expanded, disabled, text, hint }: {
   readonly glyph: GlyphName;
   readonly name: string;
   readonly onPress: () => void;
@@ -12,9 +12,11 @@ export function GlyphButton({ glyph, name, onPress, pressed, expanded, disabled,
   readonly disabled?: boolean;
   /** Its name, or a shorter one. */
   readonly text?: string;
+  /** What is worth knowing before it is pressed. */
+  readonly hint?: string;
 }) {
   return (
-    <button type="button" className="button icon" aria-label={name} title={name} aria-pressed={pressed} aria-expanded={expanded}
+    <button type="button" className="button icon" aria-label={name} title={hint ?? name} aria-pressed={pressed} aria-expanded={expanded}
       disabled={disabled} onClick={onPress}
     >
       <Glyph name={glyph} />

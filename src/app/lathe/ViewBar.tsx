@@ -56,7 +56,8 @@ export function ViewBar({ viewport, measuring, onWhich, children }: {
       </div>
       <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} text={t.xDown} pressed={down}
         onPress={() => changeSettings({ xDown: !down })} />
-      <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={measuring.toggle} />
+      <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={measuring.toggle}
+        {...(solid && { hint: t.rulerFlat })} />
       <GlyphButton glyph="which" name={t.which} disabled={onWhich === null} onPress={() => onWhich?.()} />
       <div className="lathe-gap">
         <div className="lathe-told">

@@ -36,6 +36,7 @@ export const lathe = {
   fit: "Einpassen",
   which: "Welcher Zyklus macht diese Kontur?",
   ruler: "Messen",
+  rulerFlat: "Gemessen wird im Schnitt: danach kommt 3D wieder",
   legend: "Linien",
   holder: "Halter",
   paths: {

@@ -37,6 +37,7 @@ export const lathe = {
   fit: "Fit",
   which: "Which cycle makes this contour?",
   ruler: "Ruler",
+  rulerFlat: "Measures in the section: 3D comes back after it",
   legend: "Lines",
   holder: "Holder",
   paths: {

@@ -36,6 +36,7 @@ export const lathe = {
   fit: "Ajuster",
   which: "Quel cycle fait ce contour ?",
   ruler: "Mesurer",
+  rulerFlat: "La mesure se fait dans la coupe : la 3D revient ensuite",
   legend: "Traits",
   holder: "Porte-outil",
   paths: {

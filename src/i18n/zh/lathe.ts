@@ -35,6 +35,7 @@ export const lathe = {
   fit: "适合窗口",
   which: "哪个循环加工此轮廓？",
   ruler: "测量",
+  rulerFlat: "在剖面上测量，之后回到 3D",
   legend: "线型",
   holder: "刀杆",
   paths: {
