@@ -82,6 +82,28 @@ describe("rules of the shop", () => {
     expect(refuses({ mostTools: 2, tools: [1, 3] }, two)).toEqual([]);
   });
 
+  test("a feed that no lathe runs is an error, told by the time where that is limited; a real one a minute is none", () => {
+    const slow = called().replace("5 M136\n", "");
+    const [mark] = marks({}, slow).filter((m) => !m.passed);
+    expect(mark).toMatchObject({
+      rule: "errors",
+      block: 6,
+      q: "Q478",
+      issue: { code: "feedUnlikely", data: { feed: 0.3, unit: "mm/min" } },
+    });
+    expect(refuses({}, slow.replace("Q478=+0.3", "Q478=+297").replace("Q505=+0.15", "Q505=+148.5"))).toEqual([]);
+    expect(refuses({ seconds: 190 }, slow)).toEqual(["seconds"]);
+    expect(refuses({ clean: true }, slow)).toEqual(["clean"]);
+  });
+
+  test("a recessing blade that a cycle pushes sideways is an error, a recess turning tool is none", () => {
+    const by = (tool: number) => called().replace("TOOL CALL 1", `TOOL CALL ${tool}`);
+    expect(marks({ residue: 9, missing: 9 }, by(10)).filter((m) => !m.passed)).toEqual([
+      expect.objectContaining({ rule: "errors", block: 8, issue: expect.objectContaining({ code: "toolCannotCutSideways" }) as unknown }),
+    ]);
+    expect(refuses({ residue: 9, missing: 9 }, by(9))).toEqual([]);
+  });
+
   test("seconds: as long as the path takes", () => {
     const seconds = judged(withRules({ seconds: 1 }), programOf(s)).marks.find((m) => m.rule === "seconds")?.value ?? 0;
     // Feed 0.2 along 35.65 mm at 180 m/min on ⌀57.82: n = 180000 / (π·57.82) = 990.9 rpm.

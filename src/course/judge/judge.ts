@@ -1,5 +1,6 @@
 import { REAL_AREA } from "../../kernel/real-area.ts";
 import { stockIssues } from "../../sim/issues.ts";
+import type { RunFinding } from "../../program/run-types.ts";
 import type { StockFinding } from "../../sim/simulation.ts";
 import type { Task } from "../task.ts";
 import { beyond, distanceTo, missingMarks, residueMarks } from "./difference.ts";
@@ -40,11 +41,10 @@ function foundMarks({ simulation }: Answer, wanted: WantedPart | null): TaskMark
   });
 }
 
-/** Findings of the run and of the stock with one severity, those apart that have marks of their own. */
-function issueMarks(rule: "errors" | "clean", { run, simulation }: Answer): TaskMark[] {
-  const severity = rule === "errors" ? "error" : "warning";
+/** Findings of the run and of the stock that count for a rule, those apart that have marks of their own. */
+function issueMarks(rule: "errors" | "clean", { run, simulation }: Answer, counts: (issue: RunFinding["issue"]) => boolean): TaskMark[] {
   const own: readonly string[] = Object.keys(FOUND);
-  const read = run.issues.filter((f) => f.issue.severity === severity).map(({ issue, block, operation }): TaskMark => ({
+  const read = run.issues.filter(({ issue }) => counts(issue)).map(({ issue, block, operation }): TaskMark => ({
     rule,
     passed: false,
     ...(block !== null && { block }),
@@ -52,30 +52,33 @@ function issueMarks(rule: "errors" | "clean", { run, simulation }: Answer): Task
     ...("at" in issue && issue.at?.startsWith("Q") && { q: issue.at }),
     issue,
   }));
-  const stock = stockIssues(simulation).filter(({ issue }) => issue.severity === severity && !own.includes(issue.code)).map(
-    (found): TaskMark => {
-      const { issue, block, operation, step } = found;
-      const place = block ?? run.operations[operation ?? -1]?.block;
-      return {
-        rule,
-        passed: false,
-        ...(place !== undefined && { block: place }),
-        ...(step !== null && { step }),
-        ...(operation !== null && { operation }),
-        issue,
-      };
-    },
-  );
+  const stock = stockIssues(simulation).filter(({ issue }) => counts(issue) && !own.includes(issue.code)).map((found): TaskMark => {
+    const { issue, block, operation, step } = found;
+    const place = block ?? run.operations[operation ?? -1]?.block;
+    return {
+      rule,
+      passed: false,
+      ...(place !== undefined && { block: place }),
+      ...(step !== null && { step }),
+      ...(operation !== null && { operation }),
+      issue,
+    };
+  });
   const all = [...read, ...stock];
   return all.length > 0 ? all : [{ rule, passed: true }];
 }
 
+/**
+ * What makes the part in a picture alone counts as an error, though a program runs with it: a feed of a hundredth of a millimetre a turn,
+ * and a recessing blade that is pushed sideways. A task that counts all warnings, or the time, tells it by that.
+ */
+const errorMarks = (answer: Answer, { clean = false, seconds }: Task["rules"]): TaskMark[] =>
+  issueMarks("errors", answer, ({ code, severity }) =>
+    severity === "error" || (!clean && ((code === "feedUnlikely" && seconds === undefined) || code === "toolCannotCutSideways")));
+
 /** Where a part is wanted, what stays is held to that alone. */
-function cleanMarks(answer: Answer, wanted: WantedPart | null): TaskMark[] {
-  const counts = ({ passed, issue }: TaskMark) => !passed && !(wanted && issue?.code === "materialLeft");
-  const wrong = issueMarks("clean", answer).filter(counts);
-  return wrong.length > 0 ? wrong : [{ rule: "clean", passed: true }];
-}
+const cleanMarks = (answer: Answer, wanted: WantedPart | null): TaskMark[] =>
+  issueMarks("clean", answer, ({ code, severity }) => severity === "warning" && !(wanted && code === "materialLeft"));
 
 /** Nothing is known of what was not simulated, so nothing that follows it can be right. */
 function unprovedMarks({ run, simulation }: Answer): TaskMark[] {
@@ -124,7 +127,7 @@ const ordered = (marks: readonly TaskMark[]): TaskMark[] => {
 export function judge(task: Task, answer: Answer): TaskJudgement {
   const wanted = task.part ? wantedPart(task.part) : null;
   const marks = ordered([
-    ...issueMarks("errors", answer),
+    ...errorMarks(answer, task.rules),
     ...unprovedMarks(answer),
     ...foundMarks(answer, wanted),
     ...(wanted ? partMarks(task, wanted, answer) : []),
