@@ -143,7 +143,7 @@ export const courseTask = {
     run: "Lauf zeigen",
     again: "Noch einmal sagen",
     right: (what) => `Richtig: ${what}`,
-    wrong: (told, is) => `Sie sagten ${told}. Es ist ${is}.`,
+    wrong: (told, is) => `Sie sagten ${told}. Richtig: ${is}.`,
     wrongBlock: (told) => `Satz ${told} ist nicht die Ursache. Sehen Sie zu, wo es schiefgeht, und sagen Sie es noch einmal.`,
     wrongPlace: (told, is, mm) => `Sie sagten ${told}. Es ist bei ${is}, ${mm} mm daneben.`,
     nowhere: (told) => `Sie sagten ${told}. Es geschieht nirgends.`,

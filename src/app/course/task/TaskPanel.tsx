@@ -4,12 +4,13 @@ import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { useOutcome } from "../../engine/outcome.ts";
 import { Icon } from "../../Icon.tsx";
+import { usePlace } from "../../place.ts";
 import { useSettings } from "../../settings/settings.ts";
 import { useTexts } from "../../settings/use-texts.ts";
 import { useEditor } from "../../store.ts";
 import { useMedia } from "../../use-media.ts";
 import { inScreenLanguage } from "../content.ts";
-import { checkTask, compareForetold, isOfWork, judgeQuietly } from "./check.ts";
+import { checkTask, compareForetold, isOfWork, judgeQuietly, lookAgain } from "./check.ts";
 import { ForetellForm } from "./ForetellForm.tsx";
 import { ForetoldResult } from "./ForetoldResult.tsx";
 import { MarkLine } from "./MarkLine.tsx";
@@ -30,6 +31,10 @@ function useFollowing(task: Task): void {
   const job = useEditor((s) => s.job);
   const program = useEditor((s) => s.program);
   const checked = useTaskView((v) => v.checked);
+  const section = usePlace((p) => p.section);
+  const prompt = usePlace((p) => p.prompt);
+  // Not while a value is typed: what is tapped must not move away.
+  useEffect(lookAgain, [section, prompt]);
   useEffect(() => {
     if (!checked) return undefined;
     const stale = !isOfWork(checked.answer as NonNullable<typeof newest>);

@@ -53,6 +53,15 @@ function lacking(): NotReady | null {
   return open.length > 0 ? { why: "empty", at: open } : { why: "notRun" };
 }
 
+/** What a check found lacking is no longer said once it is there. */
+export function lookAgain(): void {
+  const { notReady } = useTaskView.getState();
+  if (notReady?.why !== "empty" && notReady?.why !== "noContour") return;
+  const lacks = lacking();
+  const isSame = lacks?.why === "empty" && notReady.why === "empty" ? lacks.at[0] === notReady.at[0] : lacks?.why === notReady.why;
+  if (!isSame) useTaskView.setState({ notReady: null });
+}
+
 const cuts = ({ run }: Answer): boolean => run.steps.some(({ move }) => move.kind !== "rapid") || run.plane.length > 0;
 
 const areRight = (answers: readonly ComparedAnswer[] | null, task: Task): boolean =>
@@ -130,9 +139,17 @@ export async function showRun(task: Task): Promise<void> {
   if (areRight(answers, task)) notePass(task.id);
 }
 
-/** Asks once more, with the run hidden again. */
+/** Asks once more what was foretold wrongly, with the run hidden again. */
 export function foretellAgain(): void {
-  changeTask(({ id, file }) => ({ id, ...(file !== undefined && { file }), veiled: true }));
-  useTaskView.setState({ foretold: null, checked: null, live: null, question: 0 });
+  const { foretold } = useTaskView.getState();
+  const isRight = (i: number) => foretold?.[i]?.right === true;
+  changeTask(({ id, file, told = [] }) => ({
+    id,
+    ...(file !== undefined && { file }),
+    veiled: true,
+    told: told.map((text, i) => (isRight(i) ? text : "")),
+  }));
+  const question = Math.max(0, foretold?.findIndex(({ right }) => !right) ?? 0);
+  useTaskView.setState({ foretold: null, checked: null, live: null, question });
   runAnew();
 }
