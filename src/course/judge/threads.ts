@@ -6,8 +6,8 @@ import type { Answer, TaskMark } from "./judgement.ts";
 
 /** How far apart the profile of a thread is looked at, mm. */
 const STEP = 0.02;
-/** It is looked at that often at most: a thread as long as no lathe is costs no more than others. */
-const MOST_LINES = 20_000;
+/** All threads together are looked at that often at most: many of them, as long as no lathe is, cost no more than others. */
+const MOST_LINES = 60_000;
 /** The share of the depth that a groove has at least, and that at which it is told from its neighbours. */
 const DEEP = 0.85;
 const APART = 0.5;
@@ -22,9 +22,9 @@ interface Grooves {
 }
 
 /** The grooves between crest and root, from the profile of a stock. */
-function groovesOf(stock: readonly Ring[], { from, to, crest, root }: WantedThread): Grooves {
+function groovesOf(stock: readonly Ring[], { from, to, crest, root }: WantedThread, most: number): Grooves {
   const [left, right] = [Math.min(from, to), Math.max(from, to)];
-  const count = Math.min(MOST_LINES, Math.max(2, Math.floor((right - left) / STEP))), step = Math.max(STEP, (right - left) / MOST_LINES);
+  const count = Math.min(most, Math.max(2, Math.floor((right - left) / STEP))), step = Math.max(STEP, (right - left) / most);
   const lines = Array.from({ length: count }, (_, i) => left + (i + 0.5) * step);
   const [top, full] = [toRadius(diameter(crest)), toRadius(diameter(Math.abs(crest - root)))];
   const profile = scanCrossings(stock, "r", lines).map((found) => {
@@ -54,7 +54,7 @@ function groovesOf(stock: readonly Ring[], { from, to, crest, root }: WantedThre
 export function threadMarks(threads: readonly WantedThread[], { run, simulation }: Answer): TaskMark[] {
   return threads.map((thread, entry): TaskMark => {
     const { from, to, crest, pitch, name } = thread;
-    const { middles, depth } = groovesOf(simulation.final, thread);
+    const { middles, depth } = groovesOf(simulation.final, thread, Math.floor(MOST_LINES / threads.length));
     const [first, last] = [middles[0] ?? 0, middles.at(-1) ?? 0];
     const ways = middles.slice(1).map((z, i) => z - (middles[i] ?? 0));
     // Where a chamfer begins a thread its first groove is wider than the others.

@@ -60,6 +60,9 @@ export function predictionOf(draft: QuestionDraft): Prediction | null {
   }
 }
 
+/** Whether a question can be asked as it stands. */
+export const isWhole = (draft: QuestionDraft): boolean => draft.text.trim() !== "" && predictionOf(draft) !== null;
+
 /** A question of a task as it is typed. */
 export function draftOfPrediction(prediction: Prediction, text: string, choices: readonly string[]): QuestionDraft {
   const { ask } = prediction;

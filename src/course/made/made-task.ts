@@ -12,7 +12,7 @@ import { promptsText } from "../prompts.ts";
 import { wantedPart } from "../wanted-part.ts";
 import { withFaults } from "./faults.ts";
 import { NUMBER_RULES, type MadeTask, type RuleDraft, type WordsDraft } from "./made-form.ts";
-import { choicesOf, predictionOf } from "./made-questions.ts";
+import { choicesOf, isWhole, predictionOf } from "./made-questions.ts";
 import { grooveFilling, threadsOf, wantedThread, type ThreadDraft } from "./made-threads.ts";
 import { outlineText } from "./outline-text.ts";
 
@@ -225,10 +225,7 @@ export type MadeFault = "title" | "ask" | "hints" | "part" | "shape" | "question
 function questionFaults({ kind, questions, start }: MadeTask): readonly MadeFault[] {
   if (!asksBefore(kind)) return [];
   if (questions.length === 0) return kind === "predict" ? ["noQuestion"] : [];
-  return [
-    ...(questions.some((each) => each.text.trim() === "" || predictionOf(each) === null) ? ["questions" as const] : []),
-    ...(start === "empty" ? ["begins" as const] : []),
-  ];
+  return [...(questions.some((each) => !isWhole(each)) ? ["questions" as const] : []), ...(start === "empty" ? ["begins" as const] : [])];
 }
 
 /** A name as ids have it; the mark keeps two of one name apart. */

@@ -141,6 +141,7 @@ export const courseTask = {
     nextQuestion: "Nächste Frage",
     back: "Frage davor",
     run: "Lauf zeigen",
+    lacks: (n, of) => of === 1 ? "Ihre Antwort fehlt noch." : `Zu Frage ${n} fehlt die Antwort noch.`,
     again: "Noch einmal sagen",
     right: (what) => `Richtig: ${what}`,
     wrong: (told, is) => `Sie sagten ${told}. Richtig: ${is}.`,

@@ -139,6 +139,7 @@ export const courseTask = {
     nextQuestion: "Next question",
     back: "Question before",
     run: "Show the run",
+    lacks: (n: number, of: number) => of === 1 ? "Your answer is still missing." : `Question ${n} still lacks its answer.`,
     again: "Say it again",
     right: (what: string) => `Right: ${what}`,
     wrong: (told: string, is: string) => `You said ${told}. It is ${is}.`,

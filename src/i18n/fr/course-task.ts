@@ -139,6 +139,7 @@ export const courseTask = {
     nextQuestion: "Question suivante",
     back: "Question précédente",
     run: "Montrer l’exécution",
+    lacks: (n, of) => of === 1 ? "Il manque encore votre réponse." : `Il manque encore la réponse à la question ${n}.`,
     again: "Répondre de nouveau",
     right: (what) => `Juste : ${what}`,
     wrong: (told, is) => `Vous avez dit ${told}. C’est ${is}.`,

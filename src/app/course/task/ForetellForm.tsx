@@ -1,4 +1,4 @@
-import { useEffect, useId, useRef } from "react";
+import { useEffect, useId, useRef, useState } from "react";
 import type { Task, TaskWords } from "../../../course/task.ts";
 import { answerKindOf, toldBy } from "../../../course/told.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
@@ -57,6 +57,8 @@ export function ForetellForm({ task, t, words }: { readonly task: Task; readonly
   const question = Math.min(asked, predict.length - 1);
   const prediction = predict[question];
   usePointedBlock(question, prediction !== undefined && answerKindOf(prediction) === "block");
+  const isNarrow = useMedia("narrow");
+  const [lacking, lack] = useState<number | null>(null);
   const form = useRef<HTMLFormElement>(null);
   const isTyping = useRef(false);
   // Who goes on with Enter in a field types on in that of the next question; who presses the button stays on it.
@@ -72,14 +74,22 @@ export function ForetellForm({ task, t, words }: { readonly task: Task; readonly
     return each !== undefined && toldBy(each, told[i] ?? "") !== null;
   };
   const show = (next: number) => useTaskView.setState({ question: next });
-  const all = predict.every((_, i) => isSaid(i));
+  /** What is not answered yet may be passed over; whoever asks for the run is told what still lacks. */
+  const goOn = () => {
+    const open = predict.findIndex((_, i) => !isSaid(i)), next = isLast ? open : question + 1;
+    if (next < 0) {
+      // Where the assignment stands in the place of the work, the run comes in sight with what it says of the answers.
+      if (isNarrow) useTaskView.setState({ open: false });
+      return void showRun(task);
+    }
+    isTyping.current = next !== question && document.activeElement instanceof HTMLInputElement;
+    lack(isLast ? open : null);
+    show(next);
+  };
   return (
     <form ref={form} className="task-now task-foretell" onSubmit={(event) => {
       event.preventDefault();
-      if (!isLast && isSaid(question)) {
-        isTyping.current = document.activeElement instanceof HTMLInputElement;
-        show(question + 1);
-      } else if (all) void showRun(task);
+      goOn();
     }}>
       <p id={labelled} className="task-question">
         {predict.length > 1 && <span className="soft small">{t.foretell.question(question + 1, predict.length)}</span>}
@@ -87,12 +97,13 @@ export function ForetellForm({ task, t, words }: { readonly task: Task; readonly
       </p>
       <AskedAnswer key={question} prediction={prediction} put={(next) => setTold(question, next)} text={told[question] ?? ""}
         choices={words.choices?.[question] ?? []} t={t} labelled={labelled} />
+      <p role="status" className="task-lacks">
+        {lacking === question && !isSaid(question) && t.foretell.lacks(question + 1, predict.length)}
+      </p>
       <div className="task-ways">
         <ToPointed kind={answerKindOf(prediction)} t={t} />
         {question > 0 && <button type="button" className="button" onClick={() => show(question - 1)}>{t.foretell.back}</button>}
-        {isLast
-          ? <button type="submit" className="button primary" disabled={!all}>{t.foretell.run}</button>
-          : <button type="submit" className="button primary" disabled={!isSaid(question)}>{t.foretell.nextQuestion}</button>}
+        <button type="submit" className="button primary">{isLast ? t.foretell.run : t.foretell.nextQuestion}</button>
       </div>
     </form>
   );

@@ -1,7 +1,7 @@
 import { useEffect, useState } from "react";
 import { taskSchema, type Task } from "../../../course/task.ts";
 import { useEditor } from "../../store.ts";
-import { fetchTask } from "../content.ts";
+import { fetchTask, fromOutside } from "../content.ts";
 import { taskOfWork } from "./work-task.ts";
 
 /** The task that the open work is: of its own file, or of the course. "none": its file is not here, or damaged; null: on its way. */
@@ -15,7 +15,7 @@ export function useTaskFile(): Task | "none" | null {
       if (!gone) setTask(found ?? "none");
     };
     const read = file === undefined ? null : taskSchema.safeParse(file);
-    if (read) take(read.success ? read.data : null);
+    if (read) take(read.success ? fromOutside(read.data) : null);
     else void fetchTask(id).then(take, () => take(null));
     return () => {
       gone = true;

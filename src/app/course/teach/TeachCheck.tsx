@@ -20,14 +20,14 @@ const MOST_TOLD = 6;
  * Whether the answer passes its own task; then it is tried and handed out. What goes out is kept here too, so that answers to it can be run
  * when they come back.
  */
-export function TeachCheck({ task, judged, isIdle, foretells, lacks, formKey, isChange, done }: {
+export function TeachCheck({ task, judged, isIdle, foretells, lacking, formKey, isChange, done }: {
   readonly task: Task | readonly MadeFault[];
   readonly judged: TaskJudgement | null;
   readonly isIdle: boolean;
   /** It only asks questions: there is no answer to judge. */
   readonly foretells: boolean;
-  /** A question asks for something that is not there. */
-  readonly lacks: boolean;
+  /** Numbers, from 1, of questions that are not whole, and of those that ask for something that is not there. */
+  readonly lacking: Readonly<Record<"questions" | "truth", readonly number[]>>;
   /** What the form is kept under, and whether it changes a kept task. */
   readonly formKey: string;
   readonly isChange: boolean;
@@ -35,6 +35,7 @@ export function TeachCheck({ task, judged, isIdle, foretells, lacks, formKey, is
 }) {
   const t = useTeachTexts();
   useEffect(startTaught, []);
+  const lacks = lacking.truth.length > 0;
   const faults = "length" in task ? [...task, ...(lacks ? ["truth" as const] : [])] : lacks ? ["truth" as const] : null;
   const whole = "length" in task || lacks ? null : task;
   const isKept = useTaught((s) => whole !== null && s.list.some((each) => JSON.stringify(each) === JSON.stringify(whole)));
@@ -53,7 +54,9 @@ export function TeachCheck({ task, judged, isIdle, foretells, lacks, formKey, is
           <ul>
             {faults.map((fault) => (
               <li key={fault}>
-                <Icon name="info" /> {t.needs[fault]}
+                <Icon name="info" /> {(fault === "questions" || fault === "truth") && (
+                  <b>{lacking[fault].map((number) => t.question(String(number))).join(", ")}:</b>
+                )} {t.needs[fault]}
               </li>
             ))}
           </ul>

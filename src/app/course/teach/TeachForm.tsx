@@ -4,7 +4,7 @@ import { judge } from "../../../course/judge/judge.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { editedTask, type TaskLanguage } from "../../../course/made/form-of-task.ts";
 import { formWithSign, type MadeTask } from "../../../course/made/made-form.ts";
-import { isThere, truthsOf } from "../../../course/made/made-questions.ts";
+import { isThere, isWhole, truthsOf } from "../../../course/made/made-questions.ts";
 import { asksBefore, begunOfMade, linesOfText, partOfMade, proposedTask, taskOfMade, wantsPart } from "../../../course/made/made-task.ts";
 import type { Task } from "../../../course/task.ts";
 import { wantedPart } from "../../../course/wanted-part.ts";
@@ -56,6 +56,10 @@ function proposedAnew(made: MadeTask, answer: Answer, sign: string): MadeTask {
   return { ...made, blank, outside, bore, threads, rules, prompts, sizes: sizeChoices(wantedPart(partOfMade(fresh))) };
 }
 
+/** Numbers, from 1, of those in a list that something holds for. */
+const numbered = <T,>(list: readonly T[], holds: (each: T) => boolean): readonly number[] =>
+  list.flatMap((each, i) => (holds(each) ? [i + 1] : []));
+
 /** What is told of a form as it stands: the task, how its answer is judged, and what is true of its questions. */
 function useChecked(settled: MadeTask, { answer, base, language, print }: BegunForm) {
   const mark = print.split(" ").at(1) ?? "";
@@ -80,8 +84,11 @@ function useChecked(settled: MadeTask, { answer, base, language, print }: BegunF
   const foretells = settled.kind === "predict";
   const judged = useMemo(() => ("length" in task || foretells ? null : judge(task, answer)), [task, answer, foretells]);
   const isIdle = useMemo(() => begun !== null && !foretells && !("length" in task) && judge(task, begun).passed, [begun, foretells, task]);
-  const lacks = begun !== null && truths.some((truth) => truth && !isThere(truth, begun));
-  return { mark, task, begun, questions, truths, judged, isIdle, lacks };
+  const lacking = useMemo(() => ({
+    questions: numbered(questions, (each) => !isWhole(each)),
+    truth: numbered(truths, (truth) => begun !== null && truth !== null && !isThere(truth, begun)),
+  }), [questions, truths, begun]);
+  return { mark, task, begun, questions, truths, judged, isIdle, lacking };
 }
 
 export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => void }) {
@@ -103,7 +110,7 @@ export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => vo
     put({ ...made, ...some });
   };
   const settled = useDeferredValue(made);
-  const { mark, task, begun, questions, truths, judged, isIdle, lacks } = useChecked(settled, of);
+  const { mark, task, begun, questions, truths, judged, isIdle, lacking } = useChecked(settled, of);
   const drawn = useMemo(() => ({
     id: "length" in task ? mark : task.id,
     part: partOfMade(settled),
@@ -164,7 +171,7 @@ export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => vo
       <div className="teach-shown">
         {!foretells && <WorkshopDrawing task={drawn} language={screen} />}
         {questions.length > 0 && begun && <QuestionPreview questions={questions} truths={truths} begun={begun} />}
-        <TeachCheck task={task} judged={judged} isIdle={isIdle} foretells={foretells} lacks={lacks} formKey={keptAs}
+        <TeachCheck task={task} judged={judged} isIdle={isIdle} foretells={foretells} lacking={lacking} formKey={keptAs}
           isChange={base !== null} done={done} />
       </div>
     </div>

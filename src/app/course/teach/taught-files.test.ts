@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import { TASK_FORMAT, taskSchema } from "../../../course/task.ts";
 import { readResult, RESULT_FORMAT } from "../../../course/made/result.ts";
+import { readTaughtList, writeTaught } from "./taught-list.ts";
 import { readTaught, readTaughtLink, resultLink, taskLink, taughtFile } from "./taught-files.ts";
 
 const task = taskSchema.parse({
@@ -69,4 +70,11 @@ test("what is altered, cut, larger than is opened or of a newer edition is told 
   expect(readTaught(taughtFile(task).padEnd(4_000_001))).toEqual({ kind: "tooLarge" });
   if (result) expect(readTaught(taughtFile(result).replace('"hints": 1', '"hints": -1'))).toEqual({ kind: "damaged" });
   expect(readTaught(`\uFEFF${taughtFile(task)}`)).toMatchObject({ kind: "task" });
+});
+
+test("a task from outside with the id of a task of the course gets an id of its own, the same each time", () => {
+  const alike = { ...task, id: "l02-sharper-corner" }, own = { ...task, id: "own-l02-sharper-corner" };
+  for (const read of [readTaught(taughtFile(alike)), readTaughtLink(taskLink("", alike)), readTaught(taughtFile(own))])
+    expect(read).toEqual({ kind: "task", task: own, left: [] });
+  expect(readTaughtList(writeTaught([alike, task]) ?? "")).toEqual([own, task]);
 });

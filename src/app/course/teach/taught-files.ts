@@ -2,6 +2,7 @@ import { readResult, RESULT_FORMAT, type HandedResult } from "../../../course/ma
 import { formatOf, readTask, type FieldFault } from "../../../course/read-task.ts";
 import { TASK_FORMAT, type Task } from "../../../course/task.ts";
 import { packedForLink, unpackedFromLink } from "../../handing/link.ts";
+import { fromOutside } from "../content.ts";
 
 /** Forms of the links; newer ones have higher numbers. */
 const TASK_MARK = "#t1=", RESULT_MARK = "#r1=";
@@ -65,7 +66,7 @@ export function readTaught(text: string): ReadTaught {
   }
   if (format !== TASK_FORMAT) return { kind: "foreign" };
   const read = readTask(raw);
-  return "task" in read ? { kind: "task", ...read } : { kind: "fields", ...read };
+  return "task" in read ? { kind: "task", task: fromOutside(read.task), left: read.left } : { kind: "fields", ...read };
 }
 
 /** Whether a text that is named as JSON says that it is a task, or results. */
