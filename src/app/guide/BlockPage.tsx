@@ -11,6 +11,7 @@ import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { blockSources } from "./block-source.ts";
+import { whyUnseen } from "./block-unseen.ts";
 import { blockLetter, blockRule, blockWordTexts } from "./block-words.ts";
 import { GuideButton } from "./GuideButton.tsx";
 import { showGuide, useGuidedBlock } from "./guide-place.ts";
@@ -57,6 +58,7 @@ function WordPictures({ kind, field }: Props) {
   const language = useSettings((s) => s.language);
   const word = wordOfField(field);
   const { made, working } = useTriedBlock(kind, word);
+  const hasOwn = blockSources(kind, word).some(({ line }) => line !== null);
   const choices: Readonly<Record<string, string>> = editor.choices;
   const sizes = field.choices || made?.tried.length !== 3 ? [] : [t.values.small, t.values.usual, t.values.large];
   const letter = blockLetter(kind, word);
@@ -65,7 +67,8 @@ function WordPictures({ kind, field }: Props) {
       <h2>{t.values.title}</h2>
       {made && <p className="soft">{made.line === null ? blocks.sampleLead : blocks.ownLead}</p>}
       {made === undefined && <p className="guide-working soft" role="status">{t.values.working}</p>}
-      {made === null && <p className="soft">{blocks.none}</p>}
+      {made === null && <p className="soft">{blocks.why[whyUnseen(kind, word)]}</p>}
+      {made?.line === null && hasOwn && <p className="soft">{blocks.why.yours}</p>}
       {made && (
         <ol className="value-cards">
           {made.tried.map((tried, i) => {

@@ -10,6 +10,7 @@ import { spreadOf, textsBeside, wordOfField } from "../editor/block-guide.ts";
 import type { BlockKind } from "../editor/block-kind.ts";
 import { palette } from "../editor/palette.ts";
 import { blockSources, textWith, type BlockSource } from "./block-source.ts";
+import { whyUnseen } from "./block-unseen.ts";
 import { blockRule, blockWordTexts } from "./block-words.ts";
 
 const kinds = Object.keys(guideBlocks.kinds) as (keyof typeof guideBlocks.kinds & BlockKind)[];
@@ -50,6 +51,17 @@ test("a small and a large value of a word make another run than the usual one, w
       expect(isOther, `${kind}.${word} = ${other}`).toBe(true);
     }
   }
+});
+
+test("every word that is shown at no values says why", () => {
+  const unsaid = kinds.flatMap((kind) => {
+    const [shown] = blockSources(kind, null);
+    return (shown ? fieldsOf(shown.statement) : []).filter((field) =>
+      !spreadOf(kind, field) && whyUnseen(kind, wordOfField(field)) === "same"
+    ).map((field) => `${kind}.${wordOfField(field)}`);
+  });
+  expect(unsaid).toEqual([]);
+  expect([whyUnseen("L", "Y"), whyUnseen("call", "label"), whyUnseen("toolCall", "deltaRadius")]).toEqual(["axis", "name", "milling"]);
 });
 
 test("another tool leaves another part", () => {

@@ -25,6 +25,12 @@ test("words are found as they stand in sentences of each language, and nothing i
   expect(marked(["Zwei Aufmaße; aufmaßlos; der Schneidenradius"], de, "de")).toEqual([
     "Zwei [Aufmaße|oversize]; aufmaßlos; der [Schneidenradius|noseRadius]",
   ]);
+  expect(marked(["Drei Sätze, zwei Absätze; lange Späne in den Zyklen; die Platte am Satzende, ein Spann"], de, "de")).toEqual([
+    "Drei [Sätze|block], zwei [Absätze|shoulder]; lange [Späne|chip] in den [Zyklen|cycle]; die [Platte|insert] am Satzende, ein Spann",
+  ]);
+  expect(marked(["L’outil passe dessous ; la gorge est plongée. La deuxième passe, et une plongée"], fr, "fr")).toEqual([
+    "L’outil passe dessous ; la [gorge|recess] est plongée. La deuxième [passe|pass], et une [plongée|plunging]",
+  ]);
   expect(marked(["Il n’est pas sûr du pas des pièces brutes"], fr, "fr")).toEqual([
     "Il n’est pas sûr du [pas|pitch] des [pièces brutes|blank]",
   ]);

@@ -9,11 +9,32 @@ export interface TermPart {
 
 /** What a word may end with in a sentence, by language; in French each of its words. */
 const ENDINGS: Readonly<Record<Language, string>> = { en: "(?:e?s)?", de: "(?:e[nsr]?|n|s|ern)?", fr: "(?:e?s|x)?", zh: "" };
-/** Words that are a term only behind an article: French "pas" is mostly half of "not". */
-const BEHIND: Partial<Record<Language, Partial<Record<TermId, string>>>> = { fr: { pitch: "(?<=(?:le|du|un|au|Le|Du|Un|Au) )" } };
+/** Other words that the glossary means as well, by language: what is said of an insert in the shop. */
+const ALSO: Partial<Record<Language, Partial<Record<TermId, string>>>> = {
+  de: { insert: "Platte", theoreticalTip: "Schneidenspitze", workpieceZero: "Nullpunkt" },
+  fr: { blank: "brut", thread: "filet" },
+};
+/**
+ * Words that are a term only in such places: French "pas" is mostly half of "not", "passe" is a verb as well, and what "est plongée" is
+ * no plunging.
+ */
+const WHERE: Partial<Record<Language, Partial<Record<TermId, string>>>> = {
+  fr: {
+    pitch: "(?<=(?:le|du|un|au|Le|Du|Un|Au) )",
+    pass: "(?:(?=passes)|(?<=^|(?:la|une|aucune|chaque|cette|de|par|sans|longue|seule|même|[ei]ère|ième) ))",
+    plunging: "(?<!(?:est|sont|être) )",
+  },
+};
+const UMLAUTS: Readonly<Record<string, string>> = { a: "ä", au: "äu", o: "ö", u: "ü" };
 const escaped = (text: string) => text.replaceAll(/[.*+?^${}()|[\]\\]/g, String.raw`\$&`);
 /** A name without what stands in brackets behind it, each of several apart. */
 const namesOf = (name: string) => name.replace(/\s*[（(].*$/u, "").split(/\s*[、,/]\s*/u).filter((each) => each !== "");
+
+/** A German noun with its endings, and its plural where that changes within: Satz, Sätze; Span, Späne; Zyklus, Zyklen. */
+function germanForms(name: string): string {
+  const umlauted = name.replace(/(au|[aou])(?=[^aeiouäöü]+$)/u, (vowel) => UMLAUTS[vowel] ?? vowel);
+  return `(?:${escaped(name)}${ENDINGS.de}|${escaped(umlauted)}en?|${escaped(name.replace(/us$/u, "en"))})`;
+}
 
 interface Sought {
   readonly term: TermId;
@@ -23,16 +44,16 @@ interface Sought {
 
 /** How the words of a glossary are found in sentences, the longest first: a nose radius is no radius. */
 function soughtIn(glossary: GlossaryTexts, language: Language): readonly Sought[] {
-  const word = (each: string) => escaped(each) + ENDINGS[language];
+  const word = (each: string) => language === "de" ? germanForms(each) : escaped(each) + ENDINGS[language];
   const formOf = (name: string) => (language === "fr" ? name.split(" ").map(word).join(" ") : word(name));
   const of = (term: TermId): readonly Sought[] =>
-    namesOf(glossary[term].name).map((name) => ({
+    [...namesOf(glossary[term].name), ALSO[language]?.[term] ?? []].flat().map((name) => ({
       term,
       long: name.length,
       // German names are nouns with a capital; a verb that is spelled alike is none.
       form: language === "zh"
         ? new RegExp(escaped(name), "gu")
-        : new RegExp(String.raw`${BEHIND[language]?.[term] ?? ""}(?<![\p{L}\d-])${formOf(name)}(?![\p{L}\d-])`,
+        : new RegExp(String.raw`${WHERE[language]?.[term] ?? ""}(?<![\p{L}\d-])${formOf(name)}(?![\p{L}\d-])`,
           language === "de" ? "gu" : "giu"),
     }));
   return TERMS.flatMap(of).toSorted((a, b) => b.long - a.long);

@@ -12,7 +12,20 @@ export const guideBlocks: GuideBlocksTexts = {
   recalled: "Aus der Erinnerung, nicht an einer gedruckten Seite geprüft: an der Steuerung nachsehen.",
   sampleLead: "Der Kern hat ein kleines Programm mit jedem davon laufen lassen.",
   ownLead: "Der Kern hat Ihr Programm mit jedem davon laufen lassen; Ihre Arbeit bleibt, wie sie ist.",
-  none: "Hier ändert es weder Weg noch Teil: Was es bedeutet, steht im Text.",
+  why: {
+    name: "Es gibt kein bewegtes Bild: Ein Name bewegt nichts. Er muss nur der sein, der anderswo gemeint ist.",
+    axis: "Es gibt kein bewegtes Bild: Der Kern schneidet in der Ebene Z/X, und diese Achse liegt nicht darin.",
+    milling: "Es gibt kein bewegtes Bild: Das zählt beim Fräsen, und der Kern zeigt, was das Drehen schneidet.",
+    free: "Es gibt kein bewegtes Bild: Eine freie Kontur wird hier aufbewahrt und nicht ausgeführt.",
+    choice: "Es gibt kein bewegtes Bild: Eine andere Wahl braucht andere Sätze um sich, und mit denselben zeigt sie nichts.",
+    together: "Es gibt kein bewegtes Bild: Dieser Wert gehört mit anderen zusammen. Allein geändert nähme ihn die Steuerung nicht an.",
+    compensation: "Hier gibt es kein bewegtes Bild: Die Korrektur beginnt und endet mit einem Geradensatz. Die Seite von L zeigt sie.",
+    functions: "Hier gibt es kein bewegtes Bild: Von den M-Funktionen ändern M136 und M137 den Schnitt. Die Seite der M-Funktionen"
+      + " zeigt es.",
+    same: "Es gibt kein bewegtes Bild: Mit anderen Werten fährt das Werkzeug denselben Weg und lässt dasselbe Teil.",
+    yours: "Ihr eigener Satz wird nicht gezeigt: Mit anderen Werten wird dort dasselbe geschnitten oder nichts, was der Kern"
+      + " schneiden kann, wie in einer gefrästen Ebene.",
+  },
   functions: "M-Funktionen",
   kinds: blockKinds,
   of: blockWords,

@@ -16,7 +16,21 @@ export const guideBlocks = {
   recalled: "Recalled, not read in a printed page: verify it on your control.",
   sampleLead: "The kernel has run a small program with each of these.",
   ownLead: "The kernel has run your program with each of these; your work stays as it is.",
-  none: "It changes neither path nor part here: what it means is said in words.",
+  /** Why a word has no live picture. */
+  why: {
+    name: "There is no live picture: a name moves nothing. It only has to be the one that is meant elsewhere.",
+    axis: "There is no live picture: the kernel cuts in the plane Z/X, and this axis does not lie in it.",
+    milling: "There is no live picture: this counts for milling, and the kernel shows what turning cuts.",
+    free: "There is no live picture: a free contour is kept here and not run.",
+    choice: "There is no live picture: another choice wants other blocks round it, and with the same ones it shows nothing.",
+    together: "There is no live picture: this value goes together with others. With it alone changed, the control would not take the"
+      + " block.",
+    compensation: "There is no live picture here: compensation begins and ends with a straight block. The page of L shows it.",
+    functions: "There is no live picture here: of the M functions, M136 and M137 change the cut. The page of the M functions shows that.",
+    same: "There is no live picture: with other values the tool goes the same way and leaves the same part.",
+    yours: "Your own block is not shown: with other values the same is cut there, or nothing that the kernel can cut, as in a"
+      + " milled plane.",
+  },
   functions: "M functions",
   kinds: blockKinds,
   of: blockWords,

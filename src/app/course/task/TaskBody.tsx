@@ -23,6 +23,9 @@ interface Props {
   readonly words: TaskWords;
 }
 
+/** A task may be the first of the course that is read. */
+const NOTHING: readonly string[] = [];
+
 /** One goal with its tick; `met`: undefined where that is not known. */
 function Ticked({ met, t, children }: { readonly met: boolean | undefined; readonly t: CourseTaskTexts; readonly children: ReactNode }) {
   return (
@@ -122,7 +125,7 @@ export function TaskBody({ task, t, words }: Props) {
   return (
     <>
       <section className="task-part task-ask" aria-label={t.unfold}>
-        <Paragraphs text={words.ask} />
+        <Paragraphs text={words.ask} before={NOTHING} />
         {hasDrawing && (
           <details className="task-drawing" open>
             <summary>{t.drawing}</summary>

@@ -32,7 +32,7 @@ export function TaskHelp({ task, t, words }: { readonly task: Task; readonly t: 
       {words.hints.slice(0, stages).map((hint, i) => (
         <div key={i} className="task-hint">
           <h3>{t.hint(i + 1)}</h3>
-          <Paragraphs text={hint} />
+          <Paragraphs text={hint} before={[words.ask, ...words.hints.slice(0, i)]} />
         </div>
       ))}
       <div className="task-ways">
