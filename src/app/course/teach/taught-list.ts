@@ -1,6 +1,5 @@
 import { z } from "zod/mini";
 import { taskSchema, type Task } from "../../../course/task.ts";
-import { fromOutside } from "../content.ts";
 
 /** Most tasks that are kept. */
 export const MOST_TAUGHT = 200;
@@ -13,7 +12,7 @@ export const writeTaught = (tasks: readonly Task[]): string | null => (tasks.len
 export function readTaughtList(text: string): readonly Task[] | null {
   try {
     const read = kept.safeParse(JSON.parse(text));
-    return read.success ? read.data.tasks.map(fromOutside) : null;
+    return read.success ? read.data.tasks : null;
   } catch {
     return null;
   }
