@@ -194,6 +194,15 @@ describe("material behind a machining limit", () => {
     expect(behind(run(rougher, at(2, 33), along(-24.8, "rough")))).toEqual([]);
     expect(behind(run(rougher, at(2, 33), [rapid(2, 30.1), cut(-24.8, 30.1, "rough", 1)], { limits: [plane, cylinder] }))).toEqual([]);
   });
+  test("is no news as long as nobody would measure it: a tenth of a millimetre behind, however long", () => {
+    const to = (z: number) => behind(run(rougher, at(2, 33), along(z, "rough"), { limits: [plane] }));
+    expect(to(-21.393)).toEqual([]);
+    expect(to(-21.407)).toMatchObject([{ limit: { at: "Q482" } }]);
+    const cylinderAt = (value: number) =>
+      behind(run(rougher, at(2, 33), along(-24.8, "rough"), { limits: [{ at: "Q480", axis: "r", value, behind: -1 }] }));
+    expect(cylinderAt(27.78)).toEqual([]);
+    expect(cylinderAt(27.82)[0]?.area).toBeGreaterThan(24 * 0.1);
+  });
   test("is told of every limit that was crossed, and whether roughing alone would leave it", () => {
     const both = run(rougher, at(2, 33), along(-24.8, "rough"), { limits: [plane, cylinder] });
     expect(behind(both).map((b) => [b.limit.at, b.finishing])).toEqual([["Q482", false], ["Q480", false]]);

@@ -19,6 +19,8 @@ import { turned, type Sweep } from "./sweep.ts";
 
 /** Real depths may pass what is allowed by this much before it is told, mm. */
 const TOLD = 0.05;
+/** What lies behind a machining limit by less than this is no news, however long it is, mm (decision 0034). */
+const BEHIND = 0.1;
 /** What is as thick everywhere has room for a circle this many times as wide where it bends at a right angle. */
 const BEND = 2 * Math.SQRT2 / (1 + Math.SQRT2);
 /** A run of moves is measured in stretches of at most this many convex pieces: the cost of joining them is their square. */
@@ -219,10 +221,17 @@ const behindOf = ({ axis, value, behind }: MachiningLimit): Box => {
   return behind > 0 ? { ...box, low: value } : { ...box, high: value };
 };
 
+/** How far a ring reaches behind a limit, mm. */
+function behindBy(ring: Ring, { axis, value, behind }: MachiningLimit): number {
+  const { left, right, low, high } = boxAround([ring]);
+  const [least, most] = axis === "z" ? [left, right] : [low, high];
+  return behind > 0 ? most - value : value - least;
+}
+
 /** What is known of the limits that were crossed, and what a run of moves took behind one of them. */
 function crossing(known: readonly Crossed[], limit: MachiningLimit, taken: readonly Ring[], done: Stretch): readonly Crossed[] {
   const box = behindOf(limit);
-  const rings = real(inBox(taken, box));
+  const rings = real(inBox(taken, box).filter((ring) => behindBy(ring, limit) >= BEHIND));
   if (rings.length === 0) return known;
   const before = known.find((c) => c.limit.at === limit.at);
   const ring = largest(rings);

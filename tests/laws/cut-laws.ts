@@ -146,22 +146,26 @@ const oversizeStays: CutLaw = ({ plans: [plan], situation: { values, blank }, si
   return null;
 };
 
-/** What is taken behind a machining limit is told at it, and what is told there was taken. What rapids took is told by itself. */
+/**
+ * What is taken behind a machining limit, deeper than is no news, is told at it, and what is told there was taken. What rapids took is
+ * told by itself.
+ */
 const limitsHoldOrAreTold: CutLaw = (w) => {
   const { values, start } = w.situation;
   if (values["Q479"] !== 1) return null;
   const far = 1000;
   const [x, z] = [(values["Q480"] ?? 0) / 2, values["Q482"] ?? 0];
-  const zones: readonly (readonly [string, readonly P[]])[] = [["Q480", across("z", -far, far, x, start.r >= x ? -far : far)], [
-    "Q482",
-    across("r", -far, far, z, start.z >= z ? -far : far),
-  ]];
+  const [xWay, zWay] = [start.r >= x ? -1 : 1, start.z >= z ? -1 : 1];
+  const zones: readonly (readonly [string, (from: number) => P[]])[] = [[
+    "Q480",
+    (from) => across("z", -far, far, x + xWay * from, xWay * far),
+  ], ["Q482", (from) => across("r", -far, far, z + zWay * from, zWay * far)]];
   const told = (at: string) =>
     w.simulation.proof.operations.flatMap((o) => o.behindLimits).reduce((sum, b) => (b.limit.at === at ? sum + b.area : sum), 0);
   for (const [at, zone] of zones) {
     const taken = w.verdicts.map(({ grid, initial, final }) => {
-      const behindIt = filled(grid, [[...zone]], true);
-      return [beyond(grid, each(initial, behindIt, common), final), areaOf(grid, each(each(initial, final, without), behindIt, common))];
+      const [news, behindIt] = [filled(grid, [zone(NEWS)], true), filled(grid, [zone(0)], true)];
+      return [beyond(grid, each(initial, news, common), final), areaOf(grid, each(each(initial, final, without), behindIt, common))];
     });
     const [surely, perhaps] = [Math.min(...taken.map(([thick]) => thick ?? 0)), Math.max(...taken.map(([, all]) => all ?? 0))];
     const byRapids = most(w, (v) => sumOf(v, "rapid"));
@@ -170,6 +174,8 @@ const limitsHoldOrAreTold: CutLaw = (w) => {
   }
   return null;
 };
+/** From this far behind a limit on what is taken is told, mm (decision 0034). */
+const NEWS = 0.1;
 /** A strip a column wide along a limit is seen by one of the judges only, mm². */
 const LIMIT = 0.2;
 /** A strip: from a to b along one axis, from c to d along the other. */
