@@ -1,4 +1,6 @@
+import { useId } from "react";
 import { formatNumber } from "../../i18n/number.ts";
+import { boxAround } from "../../kernel/box.ts";
 import { readRows } from "../../program/contour-rows.ts";
 import { newRow, type ContourRow } from "../../program/job.ts";
 import { segmentData } from "../../view/path.ts";
@@ -21,13 +23,29 @@ function shoulder(kind: Sized, size: number): readonly ContourRow[] {
     : [point("a", "20", "0"), point("b", "20", "-20"), sized, point("c", "44", "-20"), point("d", "44", "-40")];
 }
 
-/** A contour with one element at one size, that element marked. */
+/** Lines of the hatch across a picture, and space round the contour, mm. */
+const HATCHES = 30;
+const ROUND_IT = 3;
+
+/** The part under a contour down to the axis, with one element of it at one size, that element marked. */
 function ElementPicture({ kind, size, name }: { readonly kind: Sized; readonly size: number; readonly name: string }) {
+  const id = useId();
   const rows = shoulder(kind, size), { contour, rowOfSegment } = readRows(rows);
   const at = rows.findIndex((row) => row.kind === kind);
+  const { left, right, high } = boxAround([contour.segments.flatMap(({ from, to }) => [from, to])]);
+  const [x, wide, tall] = [left - ROUND_IT, right - left + 2 * ROUND_IT, high + 2 * ROUND_IT];
+  const step = Math.max(wide, tall) / HATCHES;
   return (
-    <svg className="cut-picture" role="img" aria-label={name} viewBox="-44 -26 48 24">
+    <svg className="cut-picture" role="img" aria-label={name} viewBox={`${x} ${-high - ROUND_IT} ${wide} ${tall}`}>
+      <defs>
+        <pattern id={id} width={step} height={step} patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
+          <rect className="cut-ground-part" width={step} height={step} />
+          <path className="cut-hatch-part" d={`M0 0V${step}`} strokeWidth={step / 4} />
+        </pattern>
+      </defs>
       <g transform="scale(1 -1)">
+        <path className="cut-stock" d={`${segmentData(contour.segments)}V0H${right}Z`} fill={`url(#${id})`} />
+        <path className="cut-axis" d={`M${x} 0h${wide}`} />
         <path className="cut-contour" d={segmentData(contour.segments)} />
         <path className="cut-finish element-marked" d={segmentData(contour.segments.filter((_, i) => rowOfSegment[i] === at))} />
       </g>

@@ -3,7 +3,7 @@ import type { GuideTexts } from "../../i18n/en/guide.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
-import type { ShownChange } from "../../report/guide/shown-effect.ts";
+import { LEAST_SEEN, type ShownChange } from "../../report/guide/shown-effect.ts";
 import { NO_AREA } from "../effect/effect.ts";
 import { useIssueText } from "../issue-text.ts";
 import { useSettings } from "../settings/settings.ts";
@@ -13,19 +13,16 @@ import type { TriedOutcome } from "./tried.ts";
 import { useAdviceTexts } from "./use-advice.ts";
 import { useGuideTexts } from "./use-guide-texts.ts";
 
-/** Differences below these are none: seconds, µm. */
-const NO_TIME = 0.05;
-const NO_HEIGHT = 0.05;
-
 /** What a value changes against the usual one, in words. */
-function changeText(t: GuideTexts, language: Language, { passes, seconds, residual, rz, part }: ShownChange): string {
+function changeText(t: GuideTexts, language: Language, { passes, seconds, residual, rz, part, way }: ShownChange): string {
   const number = (value: number, decimals: number) => formatNumber(language, Math.abs(value), decimals);
   const said = [
     ...(passes === 0 ? [] : [t.change.passes(passes)]),
-    ...(Math.abs(seconds) < NO_TIME ? [] : [t.change.seconds(number(seconds, 1), seconds > 0)]),
+    ...(Math.abs(seconds) < LEAST_SEEN.seconds ? [] : [t.change.seconds(number(seconds, 1), seconds > 0)]),
     ...(Math.abs(residual) < NO_AREA ? [] : [t.change.residual(number(residual, 2), residual > 0)]),
-    ...(rz === null || Math.abs(rz) < NO_HEIGHT ? [] : [t.change.rz(number(rz, 1), rz > 0)]),
+    ...(rz === null || Math.abs(rz) < LEAST_SEEN.rz ? [] : [t.change.rz(number(rz, 1), rz > 0)]),
     ...(part < NO_AREA ? [] : [t.change.part(number(part, 2))]),
+    ...(way < LEAST_SEEN.way || passes !== 0 || part >= NO_AREA ? [] : [t.change.way(number(way, 2))]),
   ];
   return said.length === 0 ? t.change.none : `${said.join(" · ")}`;
 }

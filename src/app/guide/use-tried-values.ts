@@ -1,13 +1,12 @@
 import { useCallback } from "react";
 import type { Cycle } from "../../cycles/define.ts";
-import type { SomeValues } from "../../cycles/effect.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
 import type { SetJob } from "../../program/job.ts";
-import { makesPath } from "../../report/guide/shown-effect.ts";
-import { neededFor, threeValues, type Candidates } from "../../report/guide/three-values.ts";
+import { demonstrate } from "../../report/guide/demonstrate.ts";
+import { givenOf } from "../engine/given.ts";
 import { readJob } from "../reading.ts";
 import { guideSources, ranBeside, useGuideSource } from "./guide-source.ts";
-import { compared, type RanValue, type TriedOutcome } from "./tried.ts";
+import { compared, type TriedOutcome } from "./tried.ts";
 import { useMade, type MadeForPage } from "./use-made.ts";
 
 /** A value with what comes of it. */
@@ -19,9 +18,11 @@ export interface TriedValue extends TriedOutcome {
 export interface TriedValues {
   readonly isOwn: boolean;
   /** The value that stands in the work, or in the example. */
-  readonly usual: number | "auto";
+  readonly standing: number | "auto" | undefined;
   /** Other values that had to be changed so that something is seen, by Q. */
   readonly needed: Readonly<Record<string, number>>;
+  /** Some of the values look like another one. */
+  readonly isUnseen: boolean;
   readonly tried: readonly TriedValue[];
   readonly box: Box;
 }
@@ -36,33 +37,25 @@ const jobWith = (job: SetJob, values: Readonly<Record<string, number | "auto">>)
   },
 });
 
-/** The first candidate that makes a path, run; the last one with what is wrong with it where none does. */
-async function firstThatRuns(job: SetJob, q: string, { tried, isUsual }: Candidates, goesOn: () => boolean) {
-  let last: (RanValue & { readonly value: number | "auto" }) | null = null;
-  for (const value of tried) {
-    if (!goesOn()) return null;
-    const outcome = await ranBeside(jobWith(job, { [q]: value }));
-    if (outcome) last = { value, isUsual, outcome };
-    if (outcome && makesPath(outcome)) break;
-  }
-  return last;
-}
-
-/** Runs a cycle with the values that show a parameter; null where the cycle makes no path at all. */
+/**
+ * Runs a cycle with the values that show a parameter: with those of the open work, or with the example where nothing is seen with them;
+ * null where the cycle makes no path at all.
+ */
 async function tryValues(cycle: Cycle, q: string, goesOn: () => boolean): Promise<TriedValues | null> {
+  let best: TriedValues | null = null;
   for (const { job, isOwn } of guideSources(cycle)) {
-    const values = readJob(job)?.reading.values as SomeValues | null | undefined;
-    if (!values) continue;
-    const needed = neededFor(cycle, q, values);
-    const withNeeded = jobWith(job, needed);
-    const usual = values[q] ?? cycle.params[q]?.example ?? 0;
-    const found = [];
-    for (const candidates of threeValues(cycle, q, { ...values, ...needed, [q]: usual }))
-      found.push(await firstThatRuns(withNeeded, q, candidates, goesOn));
-    const shown = compared(found.filter((each) => each !== null));
-    if (shown) return { isOwn, usual, needed, ...shown };
+    const read = readJob(job), values = read?.reading.values as Readonly<Record<string, number | "auto">> | null | undefined;
+    if (!read || !values) continue;
+    const asked = { cycle, q, values, given: givenOf(read) };
+    const found = await demonstrate(asked, (changed) => goesOn() ? ranBeside(jobWith(job, changed)) : Promise.resolve(null));
+    const shown = found && compared(found.ran);
+    if (!found || !shown) continue;
+    const { [q]: _, ...needed } = found.needed;
+    const here: TriedValues = { isOwn, standing: values[q], needed, isUnseen: found.unseen > 0, ...shown };
+    if (!here.isUnseen) return here;
+    best ??= here;
   }
-  return null;
+  return best;
 }
 
 /** A parameter at its values, run again when the open work changes; what was shown stays until then. */

@@ -35,6 +35,14 @@ export const guide = {
     needed: (what) => `Gezeigt mit ${what}, damit man die Wirkung sieht.`,
     working: "Der Kern rechnet den Zyklus …",
     none: "Kein anderer Wert ergibt hier einen Weg.",
+    reserved: "In diesem Zyklus wird er nicht gelesen: Bahn, Zeit und Teil sind mit jedem Wert gleich.",
+    unseen: "Einige dieser Werte ergeben hier gleiche Bahn, Zeit und gleiches Teil: Was sie entscheiden, kommt an dieser Kontur nicht vor.",
+    alike: {
+      cuttingLines:
+        "Beide unterscheiden sich nur, wo die äußeren Schnitte länger oder kürzer sind als die inneren, etwa um eine Schulter herum. "
+        + "Diese Kontur endet in der Richtung, in der sie beginnt.",
+      reverse: "1 und 2 sind hier gleich: Ein Stechwerkzeug mit der Spitze in der Mitte seiner Schneide ist sein eigenes Spiegelbild.",
+    },
     picture: (q, value) => `Schnitt durch das Teil mit ${q} = ${value}`,
   },
   numbers: { passes: "Schnitte", infeed: "Wirkliche Zustellung", residual: "Restmaterial", seconds: "Zeit", rz: "Rz" },
@@ -50,6 +58,7 @@ export const guide = {
     residual: (a, more) => `${a} mm² ${more ? "mehr" : "weniger"} bleiben stehen`,
     rz: (m, more) => `${m} µm ${more ? "rauer" : "glatter"}`,
     part: (a) => `das Teil ändert sich um ${a} mm²`,
+    way: (mm) => `das Werkzeug verlässt die übliche Bahn um bis zu ${mm} mm`,
   },
   acts: {
     title: "In welchen Schritten er wirkt",

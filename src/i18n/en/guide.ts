@@ -36,6 +36,13 @@ export const guide = {
     needed: (what: string) => `Shown with ${what}, where its effect can be seen.`,
     working: "The kernel is running the cycle …",
     none: "No other value of it makes a path here.",
+    reserved: "Nothing is read from it in this cycle: path, time and part are the same with every value.",
+    unseen: "Some of these values make the same path, time and part here: what they decide does not occur on this contour.",
+    alike: {
+      cuttingLines: "Both differ only where the passes outside are longer or shorter than those inside, as round a shoulder. "
+        + "This contour ends in the direction in which it begins.",
+      reverse: "1 and 2 are alike here: a bar with its tip in the middle of its edge is its own mirror image.",
+    },
     picture: (q: string, value: string) => `Section of the part with ${q} = ${value}`,
   },
   numbers: { passes: "Passes", infeed: "Real infeed", residual: "Residue", seconds: "Time", rz: "Rz" },
@@ -51,6 +58,7 @@ export const guide = {
     residual: (a: string, more: boolean) => `${a} mm² ${more ? "more" : "less"} stays`,
     rz: (m: string, more: boolean) => `${m} µm ${more ? "rougher" : "smoother"}`,
     part: (a: string) => `the part differs by ${a} mm²`,
+    way: (mm: string) => `the tool leaves the usual path by up to ${mm} mm`,
   },
   acts: {
     title: "The steps it acts in",

@@ -36,6 +36,14 @@ export const guide: GuideTexts = typeset({
     needed: (what) => `Montré avec ${what}, où l’effet se voit.`,
     working: "Le noyau exécute le cycle …",
     none: "Aucune autre valeur ne donne ici un parcours.",
+    reserved: "Ce cycle ne le lit pas : trajectoire, temps et pièce restent les mêmes avec toute valeur.",
+    unseen:
+      "Certaines de ces valeurs donnent ici les mêmes trajectoire, temps et pièce : ce qu’elles décident n’apparaît pas sur ce contour.",
+    alike: {
+      cuttingLines: "Les deux ne diffèrent que là où les passes extérieures sont plus longues ou plus courtes que les intérieures, "
+        + "autour d’un épaulement par exemple. Ce contour finit dans la direction où il commence.",
+      reverse: "1 et 2 sont pareils ici : un outil à gorge dont la pointe est au milieu de l’arête est sa propre image en miroir.",
+    },
     picture: (q, value) => `Coupe de la pièce avec ${q} = ${value}`,
   },
   numbers: { passes: "Passes", infeed: "Passe réelle", residual: "Matière résiduelle", seconds: "Temps", rz: "Rz" },
@@ -51,6 +59,7 @@ export const guide: GuideTexts = typeset({
     residual: (a, more) => `${a} mm² de matière en ${more ? "plus" : "moins"}`,
     rz: (m, more) => `${m} µm plus ${more ? "rugueux" : "lisse"}`,
     part: (a) => `la pièce diffère de ${a} mm²`,
+    way: (mm) => `l’outil s’écarte de la trajectoire usuelle de ${mm} mm au plus`,
   },
   acts: {
     title: "Les étapes où il agit",

@@ -35,6 +35,12 @@ export const guide = {
     needed: (what) => `为看清作用，此处取 ${what}。`,
     working: "内核正在运行循环 …",
     none: "此处没有其他可生成路径的值。",
+    reserved: "此循环不读取该参数：取任何值，路径、时间和工件都相同。",
+    unseen: "其中几个值在此得到相同的路径、时间和工件：它们所决定的情况在这个轮廓上不出现。",
+    alike: {
+      cuttingLines: "只有外侧走刀比内侧长或短时（例如绕过台阶），两者才不同。这个轮廓的起始方向和终止方向相同。",
+      reverse: "此处 1 和 2 相同：刀尖位于切削刃中央的切槽刀，镜像后与自身相同。",
+    },
     picture: (q, value) => `${q} = ${value} 时的工件剖面`,
   },
   numbers: { passes: "走刀次数", infeed: "实际进刀量", residual: "残留材料", seconds: "时间", rz: "Rz" },
@@ -50,6 +56,7 @@ export const guide = {
     residual: (a, more) => `残留${more ? "增加" : "减少"} ${a} mm²`,
     rz: (m, more) => `Rz ${more ? "增大" : "减小"} ${m} µm`,
     part: (a) => `工件相差 ${a} mm²`,
+    way: (mm) => `刀具偏离常用路径最多 ${mm} mm`,
   },
   acts: {
     title: "在哪些步骤中起作用",

@@ -7,6 +7,7 @@ import { SLIVER } from "../../kernel/tolerance.ts";
 import type { Run, RunFinding } from "../../program/run-types.ts";
 import { roughnessOf } from "../../sim/load/roughness.ts";
 import type { Simulation } from "../../sim/simulation.ts";
+import { ownWays, waysApart } from "./ways-apart.ts";
 
 /** A program that was run and proved. */
 export interface RanProgram {
@@ -37,7 +38,12 @@ export interface ShownChange {
   readonly rz: number | null;
   /** What is part here and not there, and the other way round, mm². */
   readonly part: number;
+  /** How far the tool leaves in one the ways that it has in the other, mm. */
+  readonly way: number;
 }
+
+/** Smaller differences of two runs are not seen: seconds, mm², µm, mm. */
+export const LEAST_SEEN = { seconds: 0.05, area: 0.01, rz: 0.05, way: 0.1 } as const;
 
 const WEIGHT = { error: 0, warning: 1, info: 2 } as const;
 
@@ -75,6 +81,7 @@ export function shownChange(a: RanProgram, b: RanProgram): ShownChange {
     residual: one.residual - other.residual,
     rz: one.rz === null || other.rz === null ? null : one.rz - other.rz,
     part: areaOf(differing(a, b)),
+    way: waysApart(a.run, b.run),
   };
 }
 
@@ -83,14 +90,19 @@ const LEAST = 8;
 /** Space round what is looked at, of its size. */
 const ROUND_IT = 0.14;
 
-/** The box of the part that all pictures of a parameter show: where the parts differ, or else where the tool cuts. mm, half plane. */
+/**
+ * The box of the part that all pictures of a parameter show: where the parts differ, or else the ways of the tool, or else where it cuts.
+ * mm, half plane.
+ */
 export function shownBox(all: readonly RanProgram[]): Box {
   const [first] = all;
   const differs = first ? all.flatMap((ran) => differing(ran, first)) : [];
   const cuts = all.flatMap(({ run }) =>
     run.steps.flatMap(({ from, move, operation }) => operation !== null && move.kind !== "rapid" ? [from, move.to] : [])
   );
-  const rings = differs.length > 0 ? differs : cuts.length > 0 ? [cuts] : first?.run.blank ?? [];
+  const ways = first && differs.length === 0 ? all.flatMap(({ run }) => [...ownWays(run, first.run), ...ownWays(first.run, run)]) : [];
+  const points = ways.length > 0 ? ways : cuts;
+  const rings = differs.length > 0 ? differs : points.length > 0 ? [points] : first?.run.blank ?? [];
   const box = boxAround(rings);
   const size = Math.max(box.right - box.left, box.high - box.low, LEAST);
   const grown = (low: number, high: number): readonly [number, number] => {

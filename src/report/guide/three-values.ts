@@ -21,13 +21,13 @@ const SHARES: Partial<Record<Kind, readonly [less: Shares, more: Shares]>> = {
   oversizeDiameter: [[0], [5, 3, 2]],
   factor: [[0.5, 0.75], [1.25, 1.1]],
   percent: [[0.5], [1.5]],
-  angle: [[0], [4, 2.5, 1.6, 1.2]],
+  angle: [[0], [4, 2.5, 1.6, 1.2, 1.1, 1.05]],
   count: [[0.5], [2]],
   revolutions: [[0], [3]],
 };
 /** What a value that is 0 is compared with, in the unit of its kind. */
 const FROM_ZERO: Partial<Record<Kind, readonly [number, number]>> = {
-  feed: [0.1, 0.3],
+  feed: [0.1, 0.2],
   radial: [0.5, 1.5],
   axialDepth: [0.5, 1.5],
   oversizeDiameter: [0.4, 2],
@@ -41,6 +41,8 @@ const MOVED: Shares = [0.4, 0.25, 0.12, 0.06];
 /** A place that has no other end: this part of it, and no less than so many mm. */
 const ALONE = 0.3;
 const LEAST_SPAN = 10;
+/** What an insert is tilted by while it turns is small, mm: less than its place on the part would be moved. */
+const TILTED = 0.2;
 /** Decimals of the values that are tried. */
 const FINE = { place: 1, value: 3 } as const;
 
@@ -69,6 +71,10 @@ export function threeValues(cycle: Pick<Cycle, "params">, q: string, values: Som
   const one = (tried: readonly (number | "auto")[], isUsual = false): readonly Candidates[] => tried.length > 0 ? [{ tried, isUsual }] : [];
   if (param.choices) return param.choices.map((value) => ({ tried: [value], isUsual: value === usual }));
   if (usual === "auto") return [...one(inRange(param, [0.1])), ...one([usual], true), ...one(inRange(param, [0.5]))];
+  if (param.shown === "depthCompensation") {
+    const tilted = (by: number) => one(inRange(param, [to(usual + by, FINE.value)]));
+    return [...tilted(-TILTED), ...one([usual], true), ...tilted(TILTED)];
+  }
   if (param.kind === "diameter" || param.kind === "axial") {
     const span = spanOf(cycle, q, values, usual);
     const moved = (sign: number) => inRange(param, MOVED.map((share) => to(usual + sign * share * span, FINE.place)));

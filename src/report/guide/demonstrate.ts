@@ -1,0 +1,130 @@
+import type { Cycle, Given } from "../../cycles/define.ts";
+import { rounded } from "../../kernel/units.ts";
+import { LEAST_SEEN, makesPath, shownChange, type RanProgram } from "./shown-effect.ts";
+import { situationsOf, type ShownWith } from "./situations.ts";
+import type { Candidates } from "./three-values.ts";
+import { waysApart } from "./ways-apart.ts";
+
+/** One of the values that a parameter is shown with, and what came of it. */
+export interface RanValue<R> {
+  readonly value: number | "auto";
+  /** It is the one that the others are compared with. */
+  readonly isUsual: boolean;
+  readonly outcome: R;
+}
+
+/** A parameter at its values, and whether each of them can be told from the others. */
+export interface Demonstrated<R> {
+  readonly usual: number | "auto";
+  readonly needed: Readonly<Record<string, number>>;
+  readonly ran: readonly RanValue<R>[];
+  /** Values that look like another one. */
+  readonly unseen: number;
+}
+
+/** What a parameter is shown with: values of its cycle, all of them, and what the cycle is given beside them. */
+export interface Asked {
+  readonly cycle: Cycle;
+  readonly q: string;
+  readonly values: Readonly<Record<string, number | "auto">>;
+  readonly given: Given;
+}
+
+/** Whether somebody who looks at two runs side by side sees a difference: in numbers, in the path, or in the part. */
+export function looksDifferent(a: RanProgram, b: RanProgram): boolean {
+  const passes = ({ run }: RanProgram) => run.operations.reduce((sum, { plan }) => sum + plan.passes, 0);
+  if (passes(a) !== passes(b) || Math.abs(a.run.seconds - b.run.seconds) >= LEAST_SEEN.seconds) return true;
+  if (waysApart(a.run, b.run) >= LEAST_SEEN.way) return true;
+  const { part, residual, rz } = shownChange(a, b);
+  return part >= LEAST_SEEN.area || Math.abs(residual) >= LEAST_SEEN.area || (rz !== null && Math.abs(rz) >= LEAST_SEEN.rz);
+}
+
+/** What is wrong with a value that makes no path. */
+const said = ({ run }: RanProgram) => JSON.stringify(run.issues.map(({ issue }) => issue));
+
+/** Values that make no path are told apart by what is said of them. */
+const differs = (a: RanProgram, b: RanProgram): boolean => {
+  const [one, other] = [makesPath(a), makesPath(b)];
+  return one && other ? looksDifferent(a, b) : one !== other || said(a) !== said(b);
+};
+
+/** Values halfway to others, where one of the three makes no path or looks like another. */
+function between(usual: number | "auto", decimals: number, ran: readonly RanValue<unknown>[]): readonly number[] {
+  if (usual === "auto") return [];
+  const others = ran.flatMap(({ value }) => (value === "auto" || value === usual ? [] : [value]));
+  return SHARES.flatMap((share) =>
+    others.map((value) => rounded(Number((usual + share * (value - usual)).toFixed(Math.min(3, decimals)))))
+  );
+}
+/** Of the way from the usual value to another one. */
+const SHARES = [0.5, 1.5, 0.25, 0.1];
+
+/** A small, a usual and a large value. */
+const THREE = 3;
+
+type Ran<R> = (values: Readonly<Record<string, number | "auto">>) => Promise<R | null>;
+
+async function shownIn<R extends RanProgram>(
+  { cycle, q, values: own }: Asked,
+  { needed, usual: set, values }: ShownWith,
+  run: Ran<R>,
+): Promise<Demonstrated<R> | null> {
+  const usual = set ?? needed[q] ?? own[q] ?? cycle.params[q]?.example ?? 0;
+  const { choices, decimals = 0, range: [min, max] = [0, 0] } = cycle.params[q] ?? {};
+  const outcomes = new Map<number | "auto", R | null>();
+  const at = async (value: number | "auto"): Promise<R | null> => {
+    if (!outcomes.has(value)) outcomes.set(value, await run({ ...needed, [q]: value }));
+    return outcomes.get(value) ?? null;
+  };
+  const first = await at(usual);
+  if (!first || !makesPath(first)) return null;
+  const ran: RanValue<R>[] = [{ value: usual, isUsual: true, outcome: first }];
+  const isNew = (outcome: R) => ran.every((other) => differs(outcome, other.outcome));
+  const unseen: RanValue<R>[] = [];
+  const take = async (tried: Candidates["tried"]): Promise<boolean> => {
+    let last: RanValue<R> | null = null;
+    for (const value of tried) {
+      const outcome = await at(value);
+      if (!outcome) continue;
+      if ((choices || makesPath(outcome)) && isNew(outcome)) {
+        ran.push({ value, isUsual: false, outcome });
+        return true;
+      }
+      if (!last || !makesPath(last.outcome)) last = { value, isUsual: false, outcome };
+    }
+    if (last) unseen.push(last);
+    return false;
+  };
+  for (const { tried, isUsual } of values) if (!isUsual) await take(tried);
+  const wanted = choices ? values.length : THREE;
+  if (!choices && ran.length < wanted) {
+    for (const value of between(usual, decimals, ran))
+      if (ran.length < wanted && value >= min && value <= max && await take([value])) unseen.shift();
+  }
+  const missing = unseen.slice(0, wanted - ran.length);
+  const order = ({ value }: RanValue<R>) => values.findIndex(({ tried }) => tried.includes(value));
+  const number = ({ value }: RanValue<R>) => (value === "auto" ? 0 : value);
+  const isFalling = typeof usual === "number" && usual < 0;
+  const inOrder = [...ran, ...missing].toSorted((a, b) =>
+    choices || usual === "auto" ? order(a) - order(b) : (number(a) - number(b)) * (isFalling ? -1 : 1)
+  );
+  return { usual, needed, ran: inOrder, unseen: missing.length };
+}
+
+/**
+ * Runs a cycle with the values that show a parameter, in the first situation in which each of them can be told from the others; else in
+ * the one in which most can. Null where none makes a path. `run` runs it with some values changed.
+ */
+export async function demonstrate<R extends RanProgram>(asked: Asked, run: Ran<R>): Promise<Demonstrated<R> | null> {
+  let best: Demonstrated<R> | null = null;
+  for (const situation of situationsOf(asked.cycle, asked.q, asked.values, asked.given)) {
+    const shown = await shownIn(asked, situation, run);
+    if (shown && (!best || worthOf(shown) > worthOf(best))) best = shown;
+    if (shown && worthOf(shown) === shown.ran.length) break;
+  }
+  return best;
+}
+
+/** How many of the values are seen; one that makes no path says at least why. */
+const worthOf = ({ ran, unseen }: Demonstrated<RanProgram>): number =>
+  ran.reduce((sum, { outcome }) => sum + (makesPath(outcome) ? 1 : 0.5), -unseen);
