@@ -6,7 +6,7 @@ import type { Candidates } from "./three-values.ts";
 import { waysApart } from "./ways-apart.ts";
 
 /** One of the values that a parameter is shown with, and what came of it. */
-export interface RanValue<R> {
+export interface ValueRun<R> {
   readonly value: number | "auto";
   /** It is the one that the others are compared with. */
   readonly isUsual: boolean;
@@ -17,13 +17,13 @@ export interface RanValue<R> {
 export interface Demonstrated<R> {
   readonly usual: number | "auto";
   readonly needed: Readonly<Record<string, number>>;
-  readonly ran: readonly RanValue<R>[];
+  readonly ran: readonly ValueRun<R>[];
   /** Values that look like another one. */
   readonly unseen: number;
 }
 
 /** What a parameter is shown with: values of its cycle, all of them, and what the cycle is given beside them. */
-export interface Asked {
+export interface ShownPrompt {
   readonly cycle: Cycle;
   readonly q: string;
   readonly values: Readonly<Record<string, number | "auto">>;
@@ -31,7 +31,7 @@ export interface Asked {
 }
 
 /** Whether somebody who looks at two runs side by side sees a difference: in numbers, in the path, or in the part. */
-export function looksDifferent(a: RanProgram, b: RanProgram): boolean {
+function looksDifferent(a: RanProgram, b: RanProgram): boolean {
   const passes = ({ run }: RanProgram) => run.operations.reduce((sum, { plan }) => sum + plan.passes, 0);
   if (passes(a) !== passes(b) || Math.abs(a.run.seconds - b.run.seconds) >= LEAST_SEEN.seconds) return true;
   if (waysApart(a.run, b.run) >= LEAST_SEEN.way) return true;
@@ -49,7 +49,7 @@ const differs = (a: RanProgram, b: RanProgram): boolean => {
 };
 
 /** Values halfway to others, where one of the three makes no path or looks like another. */
-function between(usual: number | "auto", decimals: number, ran: readonly RanValue<unknown>[]): readonly number[] {
+function between(usual: number | "auto", decimals: number, ran: readonly ValueRun<unknown>[]): readonly number[] {
   if (usual === "auto") return [];
   const others = ran.flatMap(({ value }) => (value === "auto" || value === usual ? [] : [value]));
   return SHARES.flatMap((share) =>
@@ -65,7 +65,7 @@ const THREE = 3;
 type Ran<R> = (values: Readonly<Record<string, number | "auto">>) => Promise<R | null>;
 
 async function shownIn<R extends RanProgram>(
-  { cycle, q, values: own }: Asked,
+  { cycle, q, values: own }: ShownPrompt,
   { needed, usual: set, values }: ShownWith,
   run: Ran<R>,
 ): Promise<Demonstrated<R> | null> {
@@ -78,11 +78,11 @@ async function shownIn<R extends RanProgram>(
   };
   const first = await at(usual);
   if (!first || !makesPath(first)) return null;
-  const ran: RanValue<R>[] = [{ value: usual, isUsual: true, outcome: first }];
+  const ran: ValueRun<R>[] = [{ value: usual, isUsual: true, outcome: first }];
   const isNew = (outcome: R) => ran.every((other) => differs(outcome, other.outcome));
-  const unseen: RanValue<R>[] = [];
+  const unseen: ValueRun<R>[] = [];
   const take = async (tried: Candidates["tried"]): Promise<boolean> => {
-    let last: RanValue<R> | null = null;
+    let last: ValueRun<R> | null = null;
     for (const value of tried) {
       const outcome = await at(value);
       if (!outcome) continue;
@@ -102,8 +102,8 @@ async function shownIn<R extends RanProgram>(
       if (ran.length < wanted && value >= min && value <= max && await take([value])) unseen.shift();
   }
   const missing = unseen.slice(0, wanted - ran.length);
-  const order = ({ value }: RanValue<R>) => values.findIndex(({ tried }) => tried.includes(value));
-  const number = ({ value }: RanValue<R>) => (value === "auto" ? 0 : value);
+  const order = ({ value }: ValueRun<R>) => values.findIndex(({ tried }) => tried.includes(value));
+  const number = ({ value }: ValueRun<R>) => (value === "auto" ? 0 : value);
   const isFalling = typeof usual === "number" && usual < 0;
   const inOrder = [...ran, ...missing].toSorted((a, b) =>
     choices || usual === "auto" ? order(a) - order(b) : (number(a) - number(b)) * (isFalling ? -1 : 1)
@@ -115,7 +115,7 @@ async function shownIn<R extends RanProgram>(
  * Runs a cycle with the values that show a parameter, in the first situation in which each of them can be told from the others; else in
  * the one in which most can. Null where none makes a path. `run` runs it with some values changed.
  */
-export async function demonstrate<R extends RanProgram>(asked: Asked, run: Ran<R>): Promise<Demonstrated<R> | null> {
+export async function demonstrate<R extends RanProgram>(asked: ShownPrompt, run: Ran<R>): Promise<Demonstrated<R> | null> {
   let best: Demonstrated<R> | null = null;
   for (const situation of situationsOf(asked.cycle, asked.q, asked.values, asked.given)) {
     const shown = await shownIn(asked, situation, run);
