@@ -31,7 +31,9 @@ function TriedPictures({ cycle, q, param }: { readonly cycle: Cycle; readonly q:
   const { made: values, working } = useTriedValues(cycle, q);
   const canTake = useTaking(cycle.number)(q) && values?.isOwn === true;
   const sizes = [t.values.small, t.values.usual, t.values.large];
-  const needed = Object.entries(values?.needed ?? {}).map(([other, value]) => `${other} = ${value}`).join(", ");
+  const needed = Object.entries(values?.needed ?? {}).map(([other, value]) =>
+    `${other} = ${formatNumber(language, value, cycle.params[other]?.decimals ?? 0)}`
+  ).join(", ");
   const words = params[param.text as ParamTextId];
   const alike: Partial<Record<Topic, string>> = t.values.alike;
   const meanings: Readonly<Record<number, string>> = "choices" in words ? words.choices : {};

@@ -17,19 +17,27 @@ import type { Simulation } from "../../sim/simulation.ts";
 import { demonstrate, type Demonstrated } from "./demonstrate.ts";
 import { makesPath, type RanProgram } from "./shown-effect.ts";
 
+/** Runs of a cycle that its prompts share, by the values that stand in it: most are shown with the example itself among them. */
+const made = new Map<string, RanProgram>();
+
 /** A run whose stock is cut only where somebody looks at it: of most values plan and time say enough. */
 function ran(cycle: Cycle, values: Readonly<Record<string, number | "auto">>): RanProgram {
   const job = exampleJob(cycle);
   const typed = Object.fromEntries(Object.entries(values).map(([q, value]) => [q, value === "auto" ? "FAUTO" : String(value)]));
   const drafts = { [cycle.number]: { ...job.drafts[cycle.number], ...typed } };
-  const made = run(parse(printJob({ ...job, drafts }, ncLabels("en"))), { tools: shippedTools, rapid: 9700 });
+  const text = printJob({ ...job, drafts }, ncLabels("en"));
+  const known = made.get(text);
+  if (known) return known;
+  const planned = run(parse(text), { tools: shippedTools, rapid: 9700 });
   let cut: Simulation | null = null;
-  return {
-    run: made,
+  const outcome: RanProgram = {
+    run: planned,
     get simulation() {
-      return cut ??= simulate(made);
+      return cut ??= simulate(planned);
     },
   };
+  made.set(text, outcome);
+  return outcome;
 }
 
 function shown(cycle: Cycle, q: string): Promise<Demonstrated<RanProgram> | null> {

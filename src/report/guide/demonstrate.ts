@@ -2,7 +2,7 @@ import type { Cycle, Given } from "../../cycles/define.ts";
 import { rounded } from "../../kernel/units.ts";
 import { LEAST_SEEN, makesPath, shownChange, type RanProgram } from "./shown-effect.ts";
 import { situationsOf, type ShownWith } from "./situations.ts";
-import type { Candidates } from "./three-values.ts";
+import { finestOf, type Candidates } from "./three-values.ts";
 import { waysApart } from "./ways-apart.ts";
 
 /** One of the values that a parameter is shown with, and what came of it. */
@@ -52,9 +52,7 @@ const differs = (a: RanProgram, b: RanProgram): boolean => {
 function between(usual: number | "auto", decimals: number, ran: readonly ValueRun<unknown>[]): readonly number[] {
   if (usual === "auto") return [];
   const others = ran.flatMap(({ value }) => (value === "auto" || value === usual ? [] : [value]));
-  return SHARES.flatMap((share) =>
-    others.map((value) => rounded(Number((usual + share * (value - usual)).toFixed(Math.min(3, decimals)))))
-  );
+  return SHARES.flatMap((share) => others.map((value) => rounded(Number((usual + share * (value - usual)).toFixed(decimals)))));
 }
 /** Of the way from the usual value to another one. */
 const SHARES = [0.5, 1.5, 0.25, 0.1];
@@ -69,8 +67,10 @@ async function shownIn<R extends RanProgram>(
   { needed, usual: set, values }: ShownWith,
   run: Ran<R>,
 ): Promise<Demonstrated<R> | null> {
-  const usual = set ?? needed[q] ?? own[q] ?? cycle.params[q]?.example ?? 0;
-  const { choices, decimals = 0, range: [min, max] = [0, 0] } = cycle.params[q] ?? {};
+  const param = cycle.params[q];
+  if (!param) return null;
+  const { choices, range: [min, max] } = param;
+  const usual = set ?? needed[q] ?? own[q] ?? param.example;
   const outcomes = new Map<number | "auto", R | null>();
   const at = async (value: number | "auto"): Promise<R | null> => {
     if (!outcomes.has(value)) outcomes.set(value, await run({ ...needed, [q]: value }));
@@ -98,7 +98,7 @@ async function shownIn<R extends RanProgram>(
   for (const { tried, isUsual } of values) if (!isUsual) await take(tried);
   const wanted = choices ? values.length : THREE;
   if (!choices && ran.length < wanted) {
-    for (const value of between(usual, decimals, ran))
+    for (const value of between(usual, finestOf(param), ran))
       if (ran.length < wanted && value >= min && value <= max && await take([value])) unseen.shift();
   }
   const missing = unseen.slice(0, wanted - ran.length);

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { actsIn } from "../../cycles/acts-in.ts";
-import { catalogue, cuttingCycles, cycleByNumber } from "../../cycles/index.ts";
+import { catalogue, cycleByNumber } from "../../cycles/index.ts";
 import type { SomeValues } from "../../cycles/effect.ts";
 import type { Cycle } from "../../cycles/define.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
@@ -12,20 +12,16 @@ import { run } from "../../program/run.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { pieceTime } from "./piece-time.ts";
-import { makesPath, shownBox, shownChange, shownEffect, type RanProgram } from "./shown-effect.ts";
+import { shownBox, shownChange, shownEffect, type RanProgram } from "./shown-effect.ts";
 import { stepPieces } from "./step-pieces.ts";
 import { neededFor, threeValues } from "./three-values.ts";
 
 const cycle = (number: number): Cycle => cycleByNumber(number) ?? never("no such cycle", number);
 
-function runOf(number: number, values: Readonly<Record<string, string>> = {}): RanProgram["run"] {
+function ran(number: number, values: Readonly<Record<string, string>> = {}): RanProgram {
   const job = exampleJob(cycle(number));
   const drafts = { [number]: { ...job.drafts[number], ...values } };
-  return run(parse(printJob({ ...job, drafts }, ncLabels("en"))), { tools: shippedTools, rapid: 9700 });
-}
-
-function ran(number: number, values: Readonly<Record<string, string>> = {}): RanProgram {
-  const made = runOf(number, values);
+  const made = run(parse(printJob({ ...job, drafts }, ncLabels("en"))), { tools: shippedTools, rapid: 9700 });
   return { run: made, simulation: simulate(made) };
 }
 
@@ -67,20 +63,6 @@ test("what a corner radius changes is seen from near, and the rule of the nose t
   const near = shownBox([usual, round]), far = shownBox([usual, ran(812, { Q463: "1.3" })]);
   expect(near.right - near.left).toBeLessThan((far.right - far.left) / 4);
   expect(shownEffect(ran(812, { Q505: "0.17" })).rz).toBeCloseTo(1000 * 0.17 ** 2 / (8 * 0.8), 2);
-});
-
-test("every number of every cutting cycle is shown at two values at least that make a path", () => {
-  const poor: string[] = [];
-  for (const each of cuttingCycles.filter(({ group }) => group !== "thread")) {
-    const values = Object.fromEntries(Object.entries(exampleJob(each).drafts[each.number] ?? {}).map(([q, text]) => [q, Number(text)]));
-    for (const [q, param] of Object.entries(each.params)) {
-      if (param.reserved || param.choices) continue;
-      const needed = Object.fromEntries(Object.entries(neededFor(each, q, values)).map(([other, v]) => [other, String(v)]));
-      const works = (value: number | "auto") => makesPath({ run: runOf(each.number, { ...needed, [q]: String(value) }) });
-      if (threeValues(each, q, values).filter(({ tried }) => tried.some(works)).length < 2) poor.push(`${each.number} ${q}`);
-    }
-  }
-  expect(poor).toEqual([]);
 });
 
 test("each numbered step has its piece, and the repeating one all further rounds", () => {

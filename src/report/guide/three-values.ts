@@ -46,6 +46,10 @@ const TILTED = 0.2;
 /** Decimals of the values that are tried. */
 const FINE = { place: 1, value: 3 } as const;
 
+/** Decimals that a value of a parameter is tried with: a count that is not whole is refused. */
+export const finestOf = ({ kind, decimals }: Pick<Param, "kind" | "decimals">): number =>
+  kind === "count" ? 0 : Math.min(decimals, FINE.value);
+
 const to = (value: number, decimals: number) => rounded(Number(value.toFixed(decimals)));
 const inRange = ({ range: [min, max] }: Param, values: readonly number[]) => values.filter((v) => v >= min && v <= max);
 
@@ -81,7 +85,7 @@ export function threeValues(cycle: Pick<Cycle, "params">, q: string, values: Som
     const inOrder = [...one(moved(-1)), ...one([usual], true), ...one(moved(1))];
     return usual < 0 ? inOrder.reverse() : inOrder;
   }
-  const decimals = Math.min(param.decimals, FINE.value);
+  const decimals = finestOf(param);
   if (usual === 0) {
     const [some, much] = FROM_ZERO[param.kind] ?? [1, 3];
     return [...one([usual], true), ...one(inRange(param, [some])), ...one(inRange(param, [much]))];
