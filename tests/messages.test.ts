@@ -14,6 +14,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   pitchZero: {},
   depthFromPitch: { depth: 0.92, pitch: 1.5, factor: 0.613 },
   threadOverInsert: { depth: 5.25, most: 4.33 },
+  threadMeets: { place: "behind", over: 20.5, x: 100.5, z: -35.25, most: 8.75 },
   flankInfeedTooSteep: { angle: 45.5, most: 27.5, nearest: 27.5 },
   runOutTooLong: { size: 30.5, max: 25.1, nearest: 25.1 },
   threadTurnsBack: { axis: "X" },

@@ -86,7 +86,8 @@ describe("programs beside the program", () => {
   test.each([["nothing of that name", "SUB1.H"], ["another kind of file", "SUB.I"]])("one that is missing: %s", (_, name) => {
     file(name, SUB);
     const r = ran(file("main.h", turned(["CALL PGM SUB", "L IZ-1 FMAX"])));
-    expect(r).toEqual({ status: 0, places: [], codes: ["notProved"], unproved: ["CALL PGM"] });
+    // Where the tool was brought before, and nowhere behind.
+    expect(r).toEqual({ status: 0, places: ["91.3 40.7"], codes: ["notProved"], unproved: ["CALL PGM"] });
   });
   test("a folder of that name is no program", () => {
     mkdirSync(join(folder, "SUB.H"));

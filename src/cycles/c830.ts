@@ -44,7 +44,7 @@ export const c830 = defineCycle({
   outline: outlineOf,
   plan(v, setting: Setting, given) {
     const outline = outlineOf(v, given);
-    return refused(outline) ?? planThreadOn(v, outline, { runIn: v.Q465, overrun: v.Q466 }, setting);
+    return refused(outline) ?? planThreadOn(v, outline, { runIn: v.Q465, overrun: v.Q466, named: { crest: "contour" } }, setting);
   },
 });
 

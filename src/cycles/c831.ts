@@ -60,7 +60,8 @@ export const c831 = defineCycle({
   outline: outlineOf,
   plan(v, setting) {
     const outline = outlineOf(v);
-    return refused(outline) ?? planThreadOn(v, outline, { runIn: v.Q460, overrun: v.Q472, runInAt: "Q460" }, setting);
+    return refused(outline)
+      ?? planThreadOn(v, outline, { runIn: v.Q460, overrun: v.Q472, named: { runIn: "Q460", overrun: "Q494" } }, setting);
   },
 });
 

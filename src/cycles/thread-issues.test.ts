@@ -7,11 +7,12 @@ import { c831 } from "./c831.ts";
 const box = (z0: number, z1: number, r: number): Ring => [at(z0, 0), at(z0, r), at(z1, r), at(z1, 0)];
 const shaft = box(0, -100, 20);
 
-function planned(own: Readonly<Record<string, number>>, stock: readonly Ring[] = [shaft]) {
+function planned(own: Readonly<Record<string, number>>, stock: readonly Ring[] = [shaft], inside = false) {
   const example = Object.fromEntries(Object.entries(c831.params).map(([q, p]) => [q, p.example]));
   const values = { ...example, Q475: 1, Q476: 0, Q460: 8, Q491: 40, Q494: -30, ...own };
-  const tool = shippedTools.find((t) => t.T === 12) as (typeof shippedTools)[number];
-  const start = at(20, 30);
+  const shipped = shippedTools.find((t) => t.T === 12) as (typeof shippedTools)[number];
+  const tool = inside ? { ...shipped, TO: 6 as const } : shipped;
+  const start = inside ? at(20, 11) : at(20, 30);
   const plan = c831.plan(values as never, { tool, start, feedUnit: "mm/rev", autoFeed: null, stock }, { contour: null, start });
   const errors = plan.issues.filter((i) => i.severity === "error");
   // What is refused has no path, and what is not has one.
@@ -30,10 +31,30 @@ describe("an insert that is too low is refused", () => {
     expect(planned({ Q473: 1, Q463: 0.5 }, [box(0, -100, 29)])).toEqual([]);
     const [found, ...more] = planned({ Q473: 1, Q463: 0.5 }, [box(0, -100, 30)]);
     expect(more).toEqual([]);
-    expect(found).toMatchObject({ code: "threadOverInsert", at: "tool" });
-    const { depth, most } = found?.data as { depth: number; most: number };
-    expect(depth).toBeCloseTo(11, 2);
-    expect(most).toBeLessThan(depth);
+    expect(found).toMatchObject({ code: "threadMeets", at: "Q491", data: { place: "over", x: 60 } });
+    const { over, most } = found?.data as { over: number; most: number };
+    expect(over).toBeCloseTo(10, 6);
+    expect(most).toBeLessThan(over);
+  });
+
+  test("for a shoulder in the overrun and for a collar in the run-in, with the place", () => {
+    const shoulder = box(-31.3, -100, 35.2);
+    expect(planned({}, [box(0, -31.3, 20), shoulder])).toMatchObject([{
+      code: "threadMeets",
+      at: "Q494",
+      data: { place: "behind", x: 70.4, z: -31.3 },
+    }]);
+    const collar = box(4.7, 2.2, 33.1);
+    expect(planned({ Q460: 16 }, [shaft, collar])).toMatchObject([{ code: "threadMeets", at: "Q460", data: { place: "before", x: 66.2 } }]);
+  });
+
+  test("for the bottom of a bore that the thread runs into", () => {
+    const bored: Ring[] = [[at(0, 12), at(0, 40), at(-70, 40), at(-70, 0), at(-31.1, 0), at(-31.1, 12)]];
+    expect(planned({ Q471: 1, Q491: 26 }, bored, true)).toMatchObject([{
+      code: "threadMeets",
+      at: "Q494",
+      data: { place: "behind", z: -31.1 },
+    }]);
   });
 });
 

@@ -17,14 +17,22 @@ interface Threading extends ThreadValues {
 
 const ROLES: Roles = {
   infeed: "Q463",
-  others: { pitch: "Q472", threadDepth: "Q473", runOut: "Q474", infeedAngle: "Q467", runIn: "Q465" },
+  others: {
+    pitch: "Q472",
+    threadDepth: "Q473",
+    runOut: "Q474",
+    infeedAngle: "Q467",
+    runIn: "Q465",
+    overrun: "Q466",
+    crest: "Q491",
+  },
 };
 
-/** Cuts a thread along a line; what it is and how long its ways in and out are, the cycle says. */
+/** Cuts a thread along a line; what it is, how long its ways in and out are, and which prompts name what others do, the cycle says. */
 export function planThreadOn(
   v: Threading,
   line: { readonly contour: readonly Segment[]; readonly frame: Frame },
-  ways: { readonly runIn: number; readonly overrun: number; readonly runInAt?: string },
+  ways: { readonly runIn: number; readonly overrun: number; readonly named?: Readonly<Record<string, string>> },
   setting: Setting,
 ): Plan {
   // The open side of a face is that from which the tip points into it.
@@ -47,6 +55,5 @@ export function planThreadOn(
     airCuts: v.Q476,
     clearance: v.Q460,
   }, setting);
-  const roles = ways.runInAt === undefined ? ROLES : { ...ROLES, others: { ...ROLES.others, runIn: ways.runInAt } };
-  return atParameters(plan, frame, roles);
+  return atParameters(plan, frame, { ...ROLES, others: { ...ROLES.others, ...ways.named } });
 }

@@ -6,7 +6,7 @@ export type Severity = "error" | "warning" | "info";
 
 /** Why material stays. */
 export type Reason = "insertRadius" | "mainEdge" | "secondaryEdge" | "toolWidth" | "cutLength" | "limit" | "plunging" | "oversize"
-  | "smoothing" | "correction";
+  | "smoothing" | "correction" | "overCrest";
 
 /** The data of each code. `nearest` is the nearest value that works, in the units of the field at `at`: tried, or left out. */
 interface Data {
@@ -51,8 +51,10 @@ interface Data {
   pitchZero: {};
   /** The depth that counts because none was entered: a part of the pitch. */
   depthFromPitch: { depth: number; pitch: number; factor: number };
-  /** The insert is too low for the depth, or for what stands over the thread. */
+  /** The insert is too low for the depth. */
   threadOverInsert: { depth: number; most: number };
+  /** Material stands over the crest, or over its line in the run-in or the overrun; `most` is how high it may, where that is too high. */
+  threadMeets: { place: "over" | "before" | "behind"; over: number; x: number; z: number; most?: number };
   /** Steeper than the flank of the insert, so that passes would cut into the finished flank. */
   flankInfeedTooSteep: { angle: number; most: number; nearest?: number };
   runOutTooLong: { size: number; max: number; nearest?: number };

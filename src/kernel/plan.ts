@@ -35,6 +35,10 @@ export interface ThreadPlan {
   readonly depths: readonly Length[];
   /** How far a pass lies back along the thread for each mm that is missing in depth. */
   readonly slope: number;
+  /** Out of the material along the infeed, part space. */
+  readonly out: Pt;
+  /** The room over the crest, as far as any stock reaches: what stands there the thread leaves between its grooves. */
+  readonly above: Ring;
   readonly runIn: Length;
   /** The lower side of the insert in a groove, from the tip: along the thread and out of the material. */
   readonly side: readonly { readonly u: number; readonly v: number }[];

@@ -158,7 +158,11 @@ describe("positions that nobody knows are not invented", () => {
       rapid: 1,
     });
     expect(plane(begun)).toEqual([]);
-    expect(path(turned("TOOL CALL 2\nL IZ+5 FMAX\nL IX+5 FMAX\nL X+90 FMAX\nL Z+1 FMAX\nL Z+2 FMAX"))).toEqual(["rapid 90 2"]);
+    expect(path(turned("TOOL CALL 2\nL IZ+5 FMAX\nL IX+5 FMAX\nL X+90 FMAX\nL Z+1 FMAX\nL Z+2 FMAX"))).toEqual([
+      // Where the tool before was brought to.
+      "rapid 100 50",
+      "rapid 90 2",
+    ]);
   });
   test.each([
     ["CALL PGM TNC:\\SUB.H", ["CALL PGM@7"]],

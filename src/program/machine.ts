@@ -176,6 +176,7 @@ export class Machine {
 
   /** Something else has moved the machine: no position is known. */
   loseAll(): void {
+    this.endBrought();
     this.setPlace({ ...NOT_PLACED, lost: "unproved", held: this.place.held, milled: this.place.milled });
     this.millGuide.here = null;
   }
@@ -253,6 +254,15 @@ export class Machine {
     if (turned < MOST_TURNED && turned + this.log.milled.length < MOST_MOVES) return true;
     this.stop(programIssue("tooManyMoves", "error", { limit }), index);
     return false;
+  }
+
+  /** A tool that was brought somewhere and does not go on from there is judged where it stands. */
+  endBrought(): void {
+    const { brought, sure } = this.place;
+    if (brought === null) return;
+    const at = sure.x && sure.z ? this.tip : null;
+    if (at) this.step(at, { kind: "rapid", to: at, phase: "position", run: "rough", step: 0 }, brought, null);
+    this.setPlace({ brought: null });
   }
 
   /** Adds one motion of the current tool, or of that tool as a cycle adapts it. */

@@ -34,6 +34,7 @@ export function run(program: Program, shop: Shop): Run {
   machine.known.setUnit(frame.unit === "INCH");
   const ending = execute(machine, (s, index) => block(machine, s, index));
   finish(machine);
+  machine.endBrought();
   tellBox(machine);
   if (machine.now.turning && machine.log.steps.length > 0) machine.log.countsFrom(machine.now.datum.x, machine.now.datum.z);
   if (!neverReached(machine, ending) && !ending.told) neverCalled(machine);
@@ -166,6 +167,7 @@ function mode(machine: Machine, wanted: "TURN" | "MILL", index: number): void {
   } else machine.traced = null;
   machine.setPlace({ last: null });
   if (machine.now.turning === (wanted === "TURN")) return;
+  machine.endBrought();
   machine.set({ turning: wanted === "TURN", pole: null });
   machine.setPlace({ sure: { x: false, z: false }, brought: null, mill: NOWHERE });
   machine.millGuide.here = null;

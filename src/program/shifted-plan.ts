@@ -29,6 +29,7 @@ export function shiftedPlan(plan: Plan, by: By): Plan {
     contour: plan.contour.map((s) => shiftedSegment(s, by)),
     area: plan.area.map((p) => shiftedPoint(p, by)),
     part: plan.part.map((p) => shiftedPoint(p, by)),
+    ...(plan.thread && { thread: { ...plan.thread, above: plan.thread.above.map((p) => shiftedPoint(p, by)) } }),
     reach: reach(plan.reach),
     kept: reach(plan.kept),
     ...(plan.unlimited && { unlimited: reach(plan.unlimited) }),

@@ -32,6 +32,7 @@ const toolOf = (machine: Machine, held: Parameter, index: number) =>
 
 /** Nobody knows which tool is called: the one before is not in the spindle any more. */
 function unknownTool(machine: Machine): void {
+  machine.endBrought();
   machine.setMill({ tool: "", radius: null });
   machine.known.setToolRadius(null);
   machine.setPlace({ sure: { x: false, z: false }, brought: null, last: null });
@@ -49,6 +50,7 @@ function takeMill(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
 }
 
 function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number | string, index: number): void {
+  machine.endBrought();
   const refused = machine.shop.refused?.get(Number(wanted));
   const tool = refused ? undefined : (find(machine.shop.tools, wanted) ?? drillIn(machine.shop.mills ?? [], wanted));
   machine.setPlace({ sure: { x: false, z: false }, brought: null, last: null });

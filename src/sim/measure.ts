@@ -123,11 +123,11 @@ export function measuring(
     if (passes) sum.passes.set(done.pass, (sum.passes.get(done.pass) ?? 0) + area);
     if (area < REAL_AREA) return;
     for (const limit of operation.plan.limits ?? []) sum.crossed = crossing(sum.crossed, limit, taken, done);
-    const place = { step: done.step };
+    const place = { step: done.step, ...(done.pass !== undefined && { pass: done.pass }) };
     if (passes && operation.plan.isParallel)
-      sum.deepest = thicker(sum.deepest, taken, mostOf(operation), { ...place, pass: done.pass }, BEND);
-    else if (passes) sum.deepest = deeper(sum.deepest, taken, operation, { ...place, pass: done.pass });
-    else if (done.phase !== "thread") sum.thickest = thicker(sum.thickest, taken, mostBeside(operation), place);
+      sum.deepest = thicker(sum.deepest, taken, mostOf(operation), place, BEND);
+    else if (passes || done.phase === "thread") sum.deepest = deeper(sum.deepest, taken, operation, place);
+    else sum.thickest = thicker(sum.thickest, taken, mostBeside(operation), { step: done.step });
   }
 
   function belongs(step: Step, operation: number): boolean {
@@ -194,13 +194,23 @@ function standsIn(insert: Ring, { z, r }: Pt, cut: Cutting): boolean {
 
 type Where = Pick<Depth, "step" | "pass">;
 
+/** An area put upright, so that what lies along the infeed of a thread lies along the open side: a pass steps along its flank. */
+function upright(area: readonly Ring[], { openSide, thread }: SimulatedOperation["plan"]): readonly Ring[] {
+  if (!thread || thread.slope === 0) return area;
+  const { z, r } = thread.out;
+  const across = Math.abs(openSide.r) >= Math.abs(openSide.z)
+    ? (p: Pt): Pt => at(p.z - (z / r) * p.r, p.r)
+    : (p: Pt): Pt => at(p.z, p.r - (r / z) * p.z);
+  return area.map((ring) => ring.map(across));
+}
+
 /** The deeper of a depth and that of an area just taken, measured in the direction of infeed. */
 function deeper(known: Measured | null, taken: readonly Ring[], operation: SimulatedOperation, where: Where): Measured | null {
   const { openSide } = operation.plan;
   const box = boxAround(taken);
   const most = Math.abs(openSide.r) >= Math.abs(openSide.z) ? box.high - box.low : box.right - box.left;
   if (known && most <= known.depth + SLIVER) return known;
-  const depth = deepestAlong(taken, openSide);
+  const depth = deepestAlong(upright(taken, operation.plan), openSide);
   return depth > (known?.depth ?? 0) ? { depth, allowed: mostOf(operation), ...where } : known;
 }
 

@@ -86,7 +86,35 @@ function ownerOf(region: Region, operations: readonly SimulatedOperation[]): num
 export function residualOf(final: readonly Ring[], all: readonly SimulatedOperation[], outlines: (tool: Tool) => Outlines): Residual[] {
   // An operation without a path has said why; that its whole area stays is no second finding.
   const operations = all.map((o) => (o.plan.moves.length > 0 ? o : { ...o, plan: { ...o.plan, area: [] } }));
-  const left = opened(intersection(final, machiningArea(operations)), SLIVER);
+  const area = machiningArea(operations);
+  return [...withinAreas(final, area, operations, outlines), ...overThreads(final, area, operations)];
+}
+
+/** What stands over the crest of a thread and is in the area of no operation: each thread leaves it between its grooves. */
+const overThreads = (final: readonly Ring[], area: readonly Ring[], operations: readonly SimulatedOperation[]): Residual[] =>
+  operations.flatMap(({ plan }, operation) => {
+    if (!plan.thread || plan.moves.length === 0) return [];
+    const stands = opened(difference(intersection(final, [plan.thread.above]), area), SLIVER);
+    return regionsOf(stands, LEAST_RESIDUAL).map((region) => residualAt(region, operation, "overCrest"));
+  });
+
+const residualAt = (region: Region, operation: number, reason: Reason): Residual => ({
+  area: region.area,
+  thickness: thicknessOf([region.outline, ...region.holes]),
+  reason,
+  ring: region.outline,
+  place: placeIn(region.outline),
+  operation,
+});
+
+/** What is still there in the areas of the operations. */
+function withinAreas(
+  final: readonly Ring[],
+  whole: readonly Ring[],
+  operations: readonly SimulatedOperation[],
+  outlines: (tool: Tool) => Outlines,
+): Residual[] {
+  const left = opened(intersection(final, whole), SLIVER);
   if (areaOf(left) <= LEAST_RESIDUAL) return [];
   const after = (area: readonly Ring[], pathOf: PathOf, bare = false) => opened(leftBy(area, operations, outlines, pathOf, bare), SLIVER);
   const without = (area: readonly Ring[], rest: readonly Ring[]) => (rest.length === 0 ? area : opened(difference(area, rest), SLIVER));
@@ -103,9 +131,7 @@ export function residualOf(final: readonly Ring[], all: readonly SimulatedOperat
   const described = (area: readonly Ring[], because: (ring: Ring, owner: SimulatedOperation) => Reason): Residual[] =>
     regionsOf(area, LEAST_RESIDUAL).map((region) => {
       const operation = ownerOf(region, operations);
-      const reason = because(region.outline, operations[operation] as SimulatedOperation);
-      const thickness = thicknessOf([region.outline, ...region.holes]);
-      return { area: region.area, thickness, reason, ring: region.outline, place: placeIn(region.outline), operation };
+      return residualAt(region, operation, because(region.outline, operations[operation] as SimulatedOperation));
     });
   return [
     ...described(kept, (ring, owner) => reasonFor(ring, owner, outlines(toolOf(owner)))),

@@ -50,7 +50,7 @@ export interface Resumed {
 const sameMeasure = ({ plan: a }: SimulatedOperation, { plan: b }: SimulatedOperation): boolean =>
   a.isParallel === b.isParallel && a.most === b.most && a.infeed === b.infeed && a.oversize?.r === b.oversize?.r
   && a.oversize?.z === b.oversize?.z && a.openSide.z === b.openSide.z && a.openSide.r === b.openSide.r
-  && sameLimits(a.limits ?? [], b.limits ?? []);
+  && a.thread?.out.z === b.thread?.out.z && a.thread?.out.r === b.thread?.out.r && sameLimits(a.limits ?? [], b.limits ?? []);
 
 const sameLimits = (a: readonly MachiningLimit[], b: readonly MachiningLimit[]): boolean =>
   a.length === b.length

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import type { ThreadPlan } from "../kernel/plan.ts";
+import { at } from "../kernel/point.ts";
 import { length } from "../kernel/units.ts";
 import { threadProfile } from "./thread-profile.ts";
 
@@ -10,6 +11,8 @@ const thread: ThreadPlan = {
   starts: 1,
   depths: [0.7, 0.99, 1.21, 1.4].map(length),
   slope: Math.tan((29 * Math.PI) / 180),
+  out: at(0, 1),
+  above: [],
   runIn: length(5),
   side: [{ u: -5 * tan, v: 5 }, { u: 0, v: 0 }, { u: 5 * tan, v: 5 }],
 };

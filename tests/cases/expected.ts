@@ -144,6 +144,18 @@ export const expected: Readonly<Record<string, Expected>> = {
     has: { rapidInStock: 1 },
     verdict: "faults",
   },
+  "brought-last": {
+    says: "a tool that is brought into material and moves no more has run into it all the same",
+    rapidInStock: true,
+    has: { rapidInStock: 1 },
+    verdict: "faults",
+  },
+  "brought-changed": {
+    says: "so has one that is changed where it was brought to",
+    rapidInStock: true,
+    has: { rapidInStock: 1 },
+    verdict: "faults",
+  },
   "call-after-change": {
     says: "a cycle called where nobody knows the start point is not proved",
     has: { startUnknown: true, notProved: true },

@@ -100,13 +100,14 @@ const judgesAgreeOnFaults: CutLaw = (w) => {
   return null;
 };
 
-/** What stays above the contour is what the simulation reports as residue, and nothing else. */
+/** What stays above the contour, and of a thread above its crest, is what the simulation reports as residue, and nothing else. */
 const judgesAgreeOnResidue: CutLaw = (w) => {
   const area = w.plans.at(-1)?.area ?? [];
+  const above = w.plans.at(-1)?.thread?.above;
   if (area.length < 3 || w.plans.length > 1 || w.plans[0]?.moves.length === 0) return null;
   const rings = w.simulation.proof.residual.map((r) => r.ring);
   for (const { grid, final } of w.verdicts) {
-    const left = each(final, filled(grid, [area], true), (a, b) => without(a, without(a, b)));
+    const left = each(final, filled(grid, above ? [area, above] : [area], true), (a, b) => without(a, without(a, b)));
     // What is thinner or smaller than the simulation looks at is left out on both sides.
     const shown = withoutCrumbs(grid, thickOf(left), CRUMB);
     const thick = areaOf(grid, each(shown, grown(filled(grid, rings), 0.02), without));

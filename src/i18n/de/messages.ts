@@ -18,6 +18,7 @@ const reasons: MessagesTexts["reasons"] = {
   oversize: "Aufmaß",
   smoothing: "Stufen zwischen den Schnitten",
   correction: "Werkzeugkorrektur",
+  overCrest: "Material über dem Gewindeaußenmaß",
 };
 
 const ELEMENT = { angle: "Winkel", length: "Länge", radius: "Radius" };

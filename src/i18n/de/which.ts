@@ -78,6 +78,7 @@ export const which = {
     oversize: "Aufmaß",
     smoothing: "Stufen",
     correction: "Korrektur",
+    overCrest: "über dem Gewinde",
   },
   take: "Übernehmen",
   takeLong: (name) => `Übernehmen: ${name}`,

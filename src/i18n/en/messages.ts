@@ -20,6 +20,7 @@ const reasons: MessagesTexts["reasons"] = {
   oversize: "the oversize",
   smoothing: "steps between the passes",
   correction: "the correction of the tool",
+  overCrest: "what stood over the crest of the thread",
 };
 
 const ELEMENT = { angle: "angle", length: "length", radius: "radius" };

@@ -75,6 +75,7 @@ export const which = {
     oversize: "oversize",
     smoothing: "steps",
     correction: "correction",
+    overCrest: "over the crest",
   },
   take: "Take it",
   takeLong: (name) => `Take it: ${name}`,

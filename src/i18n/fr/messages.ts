@@ -19,6 +19,7 @@ const reasons: MessagesTexts["reasons"] = {
   oversize: "surépaisseur",
   smoothing: "marches entre les passes",
   correction: "correction de l’outil",
+  overCrest: "matière au-dessus du sommet du filet",
 };
 
 const ELEMENT = { angle: "angle", length: "longueur", radius: "rayon" };

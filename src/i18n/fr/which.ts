@@ -76,6 +76,7 @@ export const which = typeset<WhichTexts>({
     oversize: "surépaisseur",
     smoothing: "marches entre les passes",
     correction: "correction de l’outil",
+    overCrest: "au-dessus du filet",
   },
   take: "Prendre",
   takeLong: (name) => `Prendre : ${name}`,

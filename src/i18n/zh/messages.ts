@@ -18,6 +18,7 @@ const reasons: MessagesTexts["reasons"] = {
   oversize: "余量",
   smoothing: "各刀之间的台阶",
   correction: "刀具补偿",
+  overCrest: "螺纹牙顶以上的材料",
 };
 
 const ELEMENT = { angle: "角度", length: "长度", radius: "半径" };

@@ -61,6 +61,7 @@ export const which = {
     oversize: "余量",
     smoothing: "各刀之间的台阶",
     correction: "刀具补偿",
+    overCrest: "牙顶以上",
   },
   take: "采用",
   takeLong: (name) => `采用：${name}`,

@@ -57,6 +57,14 @@ export function areaUnder(contour: readonly FlatSegment[], over: readonly Flat[]
   return turned([...chain(contour, frame), ...top]);
 }
 
+/** Everything over a line, however high. */
+export function areaAbove(line: readonly Flat[], frame: Frame): Ring {
+  const [first, last] = [line[0], line.at(-1)];
+  if (!first || !last) return [];
+  const top = Math.max(...line.map((p) => p.v)) + BEYOND;
+  return turned([...line, { u: last.u, v: top }, { u: first.u, v: top }].map((p) => toPart(frame, p)));
+}
+
 /** A line of points held down to a level, with the points where it meets it. */
 function under(points: readonly Flat[], level: number): Flat[] {
   const out: Flat[] = [];

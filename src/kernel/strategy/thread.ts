@@ -14,10 +14,11 @@ import { FAR, insertIn, startInPart } from "./ground.ts";
 import { limitedInfeed } from "./infeed.ts";
 import { POINT } from "./kept.ts";
 import { empty } from "./leveled.ts";
-import { areaUnder, partBetween } from "./outline-area.ts";
+import { areaAbove, areaUnder, partBetween } from "./outline-area.ts";
 import { deepestPass, heightOn, passAt, type ThreadLine } from "./thread-path.ts";
 import { threadDepths } from "./thread-infeeds.ts";
 import { lowerSide, teeth, tipsOf } from "./thread-profile.ts";
+import { standingOver, tooHigh } from "./thread-stock.ts";
 
 /** A cycle that cuts a thread. Lengths mm, angles degrees. */
 export interface Thread {
@@ -144,12 +145,15 @@ export function planThread(t: Thread, setting: Setting): Plan {
       starts: t.starts,
       depths: depths as Length[],
       slope,
+      out: toPart(t.frame, { u: -slope, v: 1 }),
+      above: areaAbove(w.crest, t.frame),
       runIn: length(t.runIn),
       side,
     },
   };
   const way = wayFor(t, w, { tool, setting, deepest, depths, slope });
   if ("code" in way) return { ...sketch, issues: [...issues, way] };
+  issues.push(...standingOver(w, t.frame, setting.stock, { from: (deepest[0] as Flat).u, to: ends.u }));
   const reach = tips.map((p) => toPart(t.frame, p)).map((at) => ({ path: { kind: "line", from: at, to: at } as const, reason: null }));
   return clearAcross({
     ...sketch,
@@ -197,9 +201,6 @@ function wayFor(t: Thread, w: Wanted, { tool, setting, deepest, depths, slope }:
   function raisedOver(height: number) {
     return height > stands ? raised(height) : -Infinity;
   }
-  // Over a groove deeper than the insert is high its own walls would close behind the insert, however thin each pass is.
-  const high = w.depth + standingOver(w, frontier, begins.u - back, ends.u);
-  if (high > extent(insert).maxV + SAME) return issue("threadOverInsert", "error", { depth: high, most: extent(insert).maxV }, "tool");
   const isFree = (runIn: number) =>
     depths.every((d) => {
       const [missing, u] = [w.depth - d, first.u - runIn];
@@ -210,23 +211,13 @@ function wayFor(t: Thread, w: Wanted, { tool, setting, deepest, depths, slope }:
     const nearest = shortestFree(isFree, w.runIn);
     return issue("runInBlocked", "error", { x: toDiameter(at.r), z: at.z, ...(nearest !== null && { nearest }) }, "runIn");
   }
+  const blocked = tooHigh(w, { frame, insert, frontier, stock: setting.stock, from: begins.u - back, to: ends.u });
+  if (blocked) return blocked;
   if (frontier.freeFrom(start.u) > start.v + SAME) {
     const works = toPart(frame, { u: begins.u, v: over });
     return startInPart({ x: toDiameter(works.r), z: works.z });
   }
   return { start, link, over };
-}
-
-/** Places along a thread at which it is looked at how high material stands over it, and how near they are at the nearest, mm. */
-const PLACES = { most: 400, nearest: 0.5 } as const;
-
-/** How high material stands over the crest where it stands highest. */
-function standingOver(w: Wanted, frontier: Frontier, from: number, to: number): number {
-  const each = Math.max(PLACES.nearest, (to - from) / PLACES.most);
-  let most = 0;
-  for (let u = from; u < to; u += each)
-    most = Math.max(most, frontier.over(u, u + each) - Math.min(heightOn(w.crest, u), heightOn(w.crest, u + each)));
-  return most;
 }
 
 /** Run-ins that are looked at, mm. */

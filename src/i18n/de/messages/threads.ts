@@ -11,6 +11,14 @@ export const threads = {
   depthFromPitch: (d, w) =>
     `Tiefe aus der Steigung, metrisches ISO-Profil: ${w.number(d.factor)} × ${w.number(d.pitch)} = ${w.number(d.depth)} mm im Radius.`,
   threadOverInsert: (d, w) => `${w.number(d.depth)} mm sind tiefer, als die Schneide hoch ist: ${w.number(d.most)} mm.`,
+  threadMeets: (d, w) =>
+    `${d.place === "over" ? "" : `Im ${d.place === "before" ? "Anlauf" : "Überlauf"} läuft das Werkzeug ins Material. `}Bei ${
+      w.place(d.x, d.z)
+    } stehen ${w.number(d.over)} mm Material über den Gewindespitzen${
+      d.most === undefined
+        ? d.place === "over" ? ": Der erste Schnitt nimmt sie mit, zwischen den Gängen bleiben sie stehen." : "."
+        : `; die Schneide hat Platz für ${w.number(d.most)}.`
+    }`,
   flankInfeedTooSteep: (d, w) =>
     `Mit ${w.angle(d.angle)} verletzen die Schnitte die fertige Flanke: höchstens der halbe Spitzenwinkel, ${w.angle(d.most)}.`
     + nearest(d.nearest, w.angle),

@@ -11,6 +11,14 @@ export const threads = {
   depthFromPitch: (d, w) =>
     `Depth from the pitch, metric ISO profile: ${w.number(d.factor)} × ${w.number(d.pitch)} = ${w.number(d.depth)} mm on the radius.`,
   threadOverInsert: (d, w) => `${w.number(d.depth)} mm are deeper than the insert is high: ${w.number(d.most)} mm.`,
+  threadMeets: (d, w) =>
+    `${d.place === "over" ? "" : `In the ${d.place === "before" ? "run-in" : "overrun"} the tool runs into material. `}At ${
+      w.place(d.x, d.z)
+    }, ${w.number(d.over)} mm of material stand over the crest of the thread${
+      d.most === undefined
+        ? d.place === "over" ? ": the first pass takes them as well, and between the grooves they stay." : "."
+        : `; the insert has room for ${w.number(d.most)}.`
+    }`,
   flankInfeedTooSteep: (d, w) =>
     `With ${w.angle(d.angle)} the passes cut into the finished flank: at most half the point angle, ${w.angle(d.most)}.${
       nearest(d.nearest, w.angle)

@@ -11,6 +11,14 @@ export const threads = {
   depthFromPitch: (d, w) =>
     `Profondeur d’après le pas, profil ISO métrique : ${w.number(d.factor)} × ${w.number(d.pitch)} = ${w.number(d.depth)} mm au rayon.`,
   threadOverInsert: (d, w) => `${w.number(d.depth)} mm dépassent la hauteur de la plaquette : ${w.number(d.most)} mm.`,
+  threadMeets: (d, w) =>
+    `${d.place === "over" ? "" : `${d.place === "before" ? "À l’engagement" : "En fin de course"}, l’outil entre dans la matière. `}En ${
+      w.place(d.x, d.z)
+    }, ${w.number(d.over)} mm de matière dépassent le sommet du filet${
+      d.most === undefined
+        ? d.place === "over" ? " : la première passe les prend en plus, et ils restent entre les filets." : "."
+        : ` ; la plaquette a de la place pour ${w.number(d.most)}.`
+    }`,
   flankInfeedTooSteep: (d, w) =>
     `Avec ${w.angle(d.angle)} les passes entament le flanc fini : au plus la moitié de l’angle de pointe, ${w.angle(d.most)}.`
     + nearest(d.nearest, w.angle),

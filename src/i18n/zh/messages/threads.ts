@@ -11,6 +11,12 @@ export const threads = {
   depthFromPitch: (d, w) =>
     `按螺距计算的深度（ISO米制牙型）：${w.number(d.factor)} × ${w.number(d.pitch)} = ${w.number(d.depth)} mm（半径值）。`,
   threadOverInsert: (d, w) => `${w.number(d.depth)} mm超过刀片高度${w.number(d.most)} mm。`,
+  threadMeets: (d, w) =>
+    `${d.place === "over" ? "" : `${d.place === "before" ? "导入段" : "越程段"}内刀具会碰到材料。`}在${
+      w.place(d.x, d.z)
+    }，材料高出螺纹牙顶${w.number(d.over)} mm${
+      d.most === undefined ? d.place === "over" ? "：第一刀会一并切除，牙槽之间的则留下。" : "。" : `；刀片只能容纳${w.number(d.most)} mm。`
+    }`,
   flankInfeedTooSteep: (d, w) =>
     `角度${w.angle(d.angle)}会使各刀切入成品牙侧：最多为刀尖角的一半${w.angle(d.most)}。${nearest(d.nearest, w.angle)}`,
   runOutTooLong: (d, w) => `退尾长度${w.number(d.size)}大于螺纹长度：最多${w.number(d.max)}。${nearest(d.nearest, w.number)}`,
