@@ -1,7 +1,6 @@
 import { expect, test } from "vitest";
 import { TASK_FORMAT, taskSchema } from "../../../course/task.ts";
 import { readResult, RESULT_FORMAT } from "../../../course/made/result.ts";
-import { readTaughtList, writeTaught } from "./taught-list.ts";
 import { readTaught, readTaughtLink, resultLink, taskLink, taughtFile } from "./taught-files.ts";
 
 const task = taskSchema.parse({
@@ -76,5 +75,4 @@ test("a task from outside with the id of a task of the course gets an id of its 
   const alike = { ...task, id: "l02-sharper-corner" }, own = { ...task, id: "own-l02-sharper-corner" };
   for (const read of [readTaught(taughtFile(alike)), readTaughtLink(taskLink("", alike)), readTaught(taughtFile(own))])
     expect(read).toEqual({ kind: "task", task: own, left: [] });
-  expect(readTaughtList(writeTaught([alike, task]) ?? "")).toEqual([own, task]);
 });
