@@ -55,7 +55,8 @@ test("marked blocks are noticed in the program and in what it calls, and left ou
   expect(update(work("L Z+45 FMAX", files)).marked).toBe(false);
   expect(update(work("CALL PGM CUT", files)).marked).toBe(true);
   expect(update(work("/L Z+45 FMAX", files)).marked).toBe(true);
-  expect(steps(work("CALL PGM CUT", files)) - steps(work("CALL PGM CUT", files, true))).toBe(1);
+  const calls = "CALL PGM CUT\nL Z+52 FMAX";
+  expect(steps(work(calls, files)) - steps(work(calls, files, true))).toBe(1);
 });
 
 test("a result is that of a work while text, files and switch are the same", () => {

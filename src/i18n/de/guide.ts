@@ -39,7 +39,7 @@ export const guide = {
     unseen: "Einige dieser Werte ergeben hier gleiche Bahn, Zeit und gleiches Teil: Was sie entscheiden, kommt an dieser Kontur nicht vor.",
     alike: {
       cuttingLines:
-        "Beide unterscheiden sich nur, wo die äußeren Schnitte länger oder kürzer sind als die inneren, etwa um eine Schulter herum. "
+        "Beide unterscheiden sich nur, wo die äußeren Schnitte länger oder kürzer sind als die inneren, etwa um einen Absatz herum. "
         + "Diese Kontur endet in der Richtung, in der sie beginnt.",
       reverse: "1 und 2 sind hier gleich: Ein Stechwerkzeug mit der Spitze in der Mitte seiner Schneide ist sein eigenes Spiegelbild.",
     },
