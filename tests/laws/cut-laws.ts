@@ -90,10 +90,11 @@ const judgesAgreeOnStock: CutLaw = (w) => {
   return `the columns keep ${mm2(more)} more and ${mm2(less)} less than the polygons`;
 };
 
-/** A fault that one of them sees well above its resolution, the other sees too. */
+/** A fault that one of them sees well above its resolution, the other sees too; unless it has said that it looks no further. */
 const judgesAgreeOnFaults: CutLaw = (w) => {
   const clear = 0.2;
-  const { gouge, rapidInStock } = w.simulation.proof;
+  const { gouge, rapidInStock, unlooked } = w.simulation.proof;
+  if (unlooked) return null;
   const [g, r] = [most(w, (v) => sumOf(v, "gouge")), most(w, (v) => sumOf(v, "rapid"))];
   if (g > clear && !(gouge > 0)) return `only the columns see a gouge of ${mm2(g)}`;
   if (r > clear && !(rapidInStock > 0)) return `only the columns see a rapid in stock of ${mm2(r)}`;
