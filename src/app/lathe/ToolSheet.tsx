@@ -1,4 +1,4 @@
-import { useEffect, useMemo, useRef } from "react";
+import { useCallback, useEffect, useMemo, useRef } from "react";
 import { insertOutline } from "../../kernel/insert.ts";
 import type { Pt, Ring } from "../../kernel/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
@@ -91,7 +91,8 @@ function Sheet({ viewport, tool }: Pick<Standing, "viewport" | "tool">) {
 }
 
 /** A tool that the work may cover: seen where the section is open and out of the work, or as edges behind it. */
-function CoveredTool({ section, front, ...standing }: Standing & { readonly section: SectionView; readonly front: number }) {
+function CoveredTool({ section, end, ...standing }: Standing & { readonly section: SectionView; readonly end: () => number }) {
+  const front = useMemo(() => end(), [end]);
   const { viewport } = standing, seen = useRef<HTMLDivElement>(null), other = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const look = () => {
@@ -121,16 +122,16 @@ function CoveredTool({ section, front, ...standing }: Standing & { readonly sect
 }
 
 /** A tool, and what is drawn over it at its tip: the work never covers that. */
-function StandingTool({ section, front, children, ...standing }: Standing & {
+function StandingTool({ section, end, children, ...standing }: Standing & {
   readonly section: SectionView;
-  /** Where the work ends at its free end, mm. */
-  readonly front: number;
+  /** Where the work ends at its free end, mm; asked for only where the work may cover the tool. */
+  readonly end: () => number;
   readonly children?: React.ReactNode;
 }) {
   const { tool } = standing, inward = useMemo(() => liesInward(tool), [tool]), covered = inward && section !== "full";
   return (
     <>
-      {covered && <CoveredTool {...standing} section={section} front={front} />}
+      {covered && <CoveredTool {...standing} section={section} end={end} />}
       {(!covered || children) && <Carrier {...standing}>{!covered && <Sheet {...standing} />} {children}</Carrier>}
       {!covered && <BreakLine {...standing} />}
     </>
@@ -144,10 +145,10 @@ export function RunningTool({ viewport, moving, section }: { readonly viewport: 
   const { steps, playback, stockAt } = moving;
   const index = usePlayback(playback, (store) => stepIndex(steps, store.shown()));
   const tip = useMemo(() => () => tipAt(steps, playback.shown()), [steps, playback]);
-  const front = useMemo(() => frontOf(stockAt({ step: index, fraction: 0 })), [stockAt, index]);
+  const end = useCallback(() => frontOf(stockAt({ step: index, fraction: 0 })), [stockAt, index]);
   const tool = steps[index]?.tool;
   return tool && (
-    <StandingTool viewport={viewport} tool={tool} tip={tip} follow={playback.subscribe} section={section} front={front}>
+    <StandingTool viewport={viewport} tool={tool} tip={tip} follow={playback.subscribe} section={section} end={end}>
       <ChipSheet viewport={viewport} moving={moving} />
     </StandingTool>
   );
@@ -159,6 +160,6 @@ const NEVER = () => () => undefined;
 export function WaitingTool({ viewport, tool, at, blank, section }: { readonly viewport: Viewport; readonly tool: Tool; readonly at: Pt;
   readonly blank: readonly Ring[]; readonly section: SectionView })
 {
-  const tip = useMemo(() => () => at, [at]), front = useMemo(() => frontOf(blank), [blank]);
-  return <StandingTool viewport={viewport} tool={tool} tip={tip} follow={NEVER} section={section} front={front} />;
+  const tip = useMemo(() => () => at, [at]), end = useCallback(() => frontOf(blank), [blank]);
+  return <StandingTool viewport={viewport} tool={tool} tip={tip} follow={NEVER} section={section} end={end} />;
 }
