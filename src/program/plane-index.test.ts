@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, test } from "vitest";
 import { parse } from "../nc/parse.ts";
-import { blockNumbers, startLines } from "../nc/program.ts";
+import { blockNumbers, print, startLines } from "../nc/program.ts";
 import { blockSpan } from "./block-span.ts";
 import { choiceOfMilled, crossing, milledBy, momentOn, planeBegin, sideOfChoice } from "./plane-index.ts";
 import { run } from "./run.ts";
@@ -14,7 +14,7 @@ function made(text: string) {
     const index = numbers.indexOf(number);
     return { kind: "blocks", span: blockSpan(program, index), line: lines[index] ?? 0 } as const;
   };
-  return { run: result, choice };
+  return { program, run: result, choice };
 }
 
 const plate = made(readFileSync(new URL("../examples/plate.h", import.meta.url), "utf8"));
@@ -57,6 +57,13 @@ const mixed = made(`0 BEGIN PGM MIXED MM
 describe("a program that turns and mills", () => {
   const { run: result, choice } = mixed;
   const turnedFirst = result.steps.findIndex(({ block }) => block > 15);
+  test("has no unknown tool in a mill that TOOL DEF gives its radius; turning with it is one", () => {
+    const codes = (text: string) => run(parse(text), { tools: shippedTools, rapid: 10_000 }).issues.map(({ issue: { code } }) => code);
+    const known = print(mixed.program);
+    expect(codes(known)).not.toContain("toolUnknown");
+    expect(codes(known.replace("16 TOOL CALL 1\n", "16 ;\n"))).toContain("toolUnknown");
+    expect(codes(known.replace("TOOL DEF 21 L+0 R+4.2", "; 21"))).toContain("toolUnknown");
+  });
   test("shows a chosen block where it moves, or where the next one does", () => {
     const sides = [7, 14, 17, 1, 10, 15].map((number) => sideOfChoice(result, choice(number)));
     expect(sides).toEqual(["lathe", "plane", "lathe", "lathe", "plane", "lathe"]);

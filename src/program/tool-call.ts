@@ -1,6 +1,6 @@
 import type { Tool } from "../kernel/tool.ts";
 import { degrees, length } from "../kernel/units.ts";
-import type { Parameter, StatementOf } from "../nc/statement.ts";
+import type { Parameter, Statement, StatementOf } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import type { Modal } from "./modal.ts";
@@ -64,15 +64,26 @@ function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
   if (deltas && tool && machine.now.turning) machine.log.leaveUnproved("DL DR", index);
 }
 
-/** A tool of another table is no fault while only milling follows. */
+/**
+ * A tool of another table is no fault while only milling follows: with a mill of known radius until something is turned without a tool
+ * call before it, else until turning begins.
+ */
 function turnsLater(machine: Machine, index: number): boolean {
+  const isMill = machine.now.mill.radius !== null;
+  let turns = false;
   for (let i = index + 1; i < machine.unit.to; i += 1) {
     const s = machine.blocks[i]?.statement;
-    if (s?.kind === "mode") return s.mode === "TURN";
     if (s?.kind === "toolCall") return false;
+    if (s?.kind === "mode") {
+      turns = s.mode === "TURN";
+      if (!isMill || !turns) return turns;
+    } else if (turns && s && MOVES.has(s.kind)) return true;
   }
-  return false;
+  return turns;
 }
+
+/** What moves the tool or may do so. */
+const MOVES: ReadonlySet<Statement["kind"]> = new Set(["path", "approach", "free", "cycleCall", "call", "callProgram", "callSelected"]);
 
 function drillIn(mills: readonly Mill[], wanted: number | string): Tool | undefined {
   const row = find(mills, wanted);

@@ -9,18 +9,22 @@ export function MilledLegend({ milled }: { readonly milled: GrowingStock | NoSto
   const t = useTexts().approach.milled, language = useSettings((s) => s.language);
   if (milled === "noBlank") return <p className="milled-legend small soft">{t.noBlank}</p>;
   if (milled === "tooLong") return <p className="milled-legend small soft">{t.tooLong(formatNumber(language, MOST_MILLED))}</p>;
-  const { depths, limits, isStepped } = milled.stock, lowest = depths.at(-1);
-  if (lowest === undefined) return null;
-  const row = (tone: number, text: string) => (
+  const { depths, heights, limits, hasLower } = milled.stock, lowest = heights.at(-1);
+  if (depths.length === 0 || lowest === undefined) return null;
+  const row = (tone: number, text: string, isMilled: boolean) => (
     <li key={tone}>
-      <span className="milled-tone" style={{ background: `var(${toneName(tone, limits.length - 1)})` }} />
+      <span className={isMilled ? "milled-tone" : "milled-tone not"}
+        style={{ backgroundColor: `var(${toneName(tone, limits.length - 1)})` }} />
       <span className="number">{text}</span>
     </li>
   );
   return (
     <ul className="milled-legend small" aria-label={t.title}>
-      {depths.map((depth, i) => row(i, t.depth(formatSigned(language, depth))))}
-      {isStepped && row(depths.length, t.lower(formatSigned(language, lowest)))}
+      {heights.map((z, i) => {
+        const isMilled = depths.includes(z);
+        return row(i, t[isMilled ? "depth" : "shoulder"](formatSigned(language, z)), isMilled);
+      })}
+      {hasLower && row(heights.length, t.lower(formatSigned(language, lowest)), false)}
     </ul>
   );
 }

@@ -87,6 +87,7 @@ export const approach = {
   milled: {
     title: "Gefräst bis Z",
     depth: (z) => `bis Z ${z}`,
+    shoulder: (z) => `ungefräst, Z ${z}`,
     lower: (z) => `unter Z ${z}`,
     drawn: "Gefrästes Material ist gezeichnet, nicht geprüft: ein flacher Fräser von oben, mit dem Radius seiner Tabelle.",
     noBlank: "Kein Rohteil in dieser Ebene",

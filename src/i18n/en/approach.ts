@@ -97,6 +97,7 @@ export const approach = {
   milled: {
     title: "Milled to Z",
     depth: (z: string) => `to Z ${z}`,
+    shoulder: (z: string) => `not milled, Z ${z}`,
     lower: (z: string) => `below Z ${z}`,
     drawn: "Milled stock is drawn, not proved: a flat tool seen from above, with the radius of its table.",
     noBlank: "No blank in this plane",

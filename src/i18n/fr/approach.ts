@@ -96,6 +96,7 @@ export const approach = {
   milled: {
     title: "Fraisé jusqu’à Z",
     depth: (z) => `jusqu’à Z ${z}`,
+    shoulder: (z) => `non fraisé, Z ${z}`,
     lower: (z) => `sous Z ${z}`,
     drawn: "La matière fraisée est dessinée, pas vérifiée : une fraise plate vue de dessus, avec le rayon de sa table.",
     noBlank: "Pas de brut dans ce plan",

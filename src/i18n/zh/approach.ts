@@ -57,6 +57,7 @@ export const approach = {
   milled: {
     title: "铣削至 Z",
     depth: (z) => `至 Z ${z}`,
+    shoulder: (z) => `未铣削 Z ${z}`,
     lower: (z) => `低于 Z ${z}`,
     drawn: "铣削后的材料仅为绘制，未经验证：按刀具表半径的平底刀俯视。",
     noBlank: "该平面内没有毛坯",

@@ -1,4 +1,3 @@
-import { areaOf } from "../../kernel/area.ts";
 import { boxAround, type Cuboid } from "../../kernel/box.ts";
 import { intersection } from "../../kernel/clip.ts";
 import { partPoint, plane } from "../../kernel/plane.ts";
@@ -64,12 +63,21 @@ export function standingAbove({ block, turned }: MilledBody, height: number): Ri
   return rounds ? intersection(rounds, [side]) : [side];
 }
 
-/** Between which heights a body stands; null where there is none. */
+/** The heights of the faces of a section that look up, mm: of its outline, material on the left, what goes outwards. */
+const facesOf = (section: readonly Ring[]): readonly number[] =>
+  section.flatMap((ring) =>
+    ring.flatMap((to, i) => {
+      const from = ring[(i + ring.length - 1) % ring.length];
+      return from && Math.abs(from.z - to.z) <= SAME && to.r - from.r > SAME ? [to.z] : [];
+    })
+  );
+
+/** Between which heights a body stands, and those of its flat shoulders; null where there is none. */
 export function heightsOf(body: MilledBody): BodyHeights | null {
   const { block, turned } = body, section = turned && turned.length > 0 ? boxAround(turned) : null;
   if (!block && !section) return null;
   const bottom = Math.max(block?.bottom ?? -Infinity, section?.left ?? -Infinity);
   const top = Math.min(block?.top ?? Infinity, section?.right ?? Infinity);
-  const isStepped = areaOf(standingAbove(body, -Infinity)) > areaOf(standingAbove(body, top - SAME)) + SAME;
-  return top > bottom ? { bottom, top, isStepped } : null;
+  const shoulders = facesOf(turned ?? []).filter((z) => z < top - SAME && z > bottom + SAME);
+  return top > bottom ? { bottom, top, shoulders } : null;
 }

@@ -128,17 +128,19 @@ test("is cut a bit at a time, and shown as far as it is", () => {
 
 describe("a round body", () => {
   const shaft: readonly Ring[] = [[at(-40, 0), at(0, 0), at(0, 12.4), at(-15.3, 12.4), at(-15.3, 21.7), at(-40, 21.7)]];
-  test("stands over a circle; what is above a shoulder is air", () => {
+  test("stands over a circle; what is above a shoulder is air, and what is milled of the shoulder is told from the rest of it", () => {
     const across = feed([-30, 17.2, -8.1], [30, 17.2, -8.1], 1.6), deep = feed([-30, 17.2, -16.9], [30, 17.2, -16.9], 1.6);
     const stock = milled([across, deep, feed([0, 0, -24.6], [0, 0, -24.6], 3.3)], { block: null, turned: shaft });
-    expect(stock.limits).toEqual([0, -8.1, -16.9, -24.6, -40]);
+    expect(stock.limits).toEqual([0, -8.1, -15.3, -16.9, -40]);
+    expect([stock.depths, stock.shoulders, stock.hasLower]).toEqual([[-8.1, -16.9, -24.6], [-15.3], false]);
     const at = (step: number) => areas(stock.at({ step, fraction: 0 }));
     const [small, large] = [Math.PI * 12.4 ** 2, Math.PI * 21.7 ** 2], hole = Math.PI * 3.3 ** 2;
-    for (const [step, expected] of [[1, [small, small, large, large, large]], [2, [small, small, large, large, large]], [3, [
+    const above = (y: number) => 21.7 ** 2 * Math.acos(y / 21.7) - y * Math.sqrt(21.7 ** 2 - y * y), flat = above(15.6) - above(18.8);
+    for (const [step, expected] of [[1, [small, small, large, large, large]], [2, [small, small, large - flat, large, large]], [3, [
       small - hole,
       small - hole,
+      large - flat - hole,
       large - hole,
-      large,
       large,
     ]]] as const)
       at(step).forEach((area, i) => near(area, expected[i] ?? 0));
@@ -147,7 +149,9 @@ describe("a round body", () => {
       block: null,
       turned: shaft,
     });
-    near(shoulder, large - hole);
+    near(shoulder, large - flat - hole);
+    const came = stock.at({ step: 3, fraction: 0 }).came.map((rings) => areaOf(rings));
+    [small, 0, large - small, 0, 0].forEach((area, i) => (area === 0 ? expect(came[i]).toBe(0) : near(came[i], area)));
   });
   test("with a bore is a ring, and a block that was turned what lies in both", () => {
     const tube: readonly Ring[] = [[at(-30, 7.6), at(0, 7.6), at(0, 33.8), at(-30, 33.8)]];

@@ -1,3 +1,4 @@
+import { areaOf } from "../../kernel/area.ts";
 import { difference, intersection, union, unpacked } from "../../kernel/clip.ts";
 import { isRapid, type MillMotion } from "../../kernel/mill-motion.ts";
 import type { Ring } from "../../kernel/point.ts";
@@ -8,7 +9,7 @@ import { cutting, type Cutting } from "../cutting.ts";
 import { marksOf, type StockMarks } from "../marks.ts";
 import type { Checkpoint, PlayPosition } from "../simulation.ts";
 import { heightsOf, standingAbove, type MilledBody } from "./body.ts";
-import { depthsOf, heightLimits, type BodyHeights } from "./depths.ts";
+import { heightLimits, toldHeights, type ToldHeights } from "./depths.ts";
 import { sweeper, type Sweeper } from "./swept-below.ts";
 
 /** What is milled: motions of round flat tools, and the body from each of some motions on, the first from the beginning. */
@@ -23,10 +24,12 @@ export interface MilledMoment {
   readonly standing: readonly (readonly Ring[])[];
   /** What the running motion has swept below each limit since, by the non-zero rule; empty where it meets nothing. */
   readonly swept: readonly (readonly Ring[])[];
+  /** Where the body came from under the mill between each limit and the one before it: what still stands there is not milled. */
+  readonly came: readonly (readonly Ring[])[];
 }
 
 /** The area above each limit at a moment, what the running motion has swept taken away. */
-export const areasAt = ({ standing, swept }: MilledMoment): readonly (readonly Ring[])[] =>
+export const areasAt = ({ standing, swept }: Pick<MilledMoment, "standing" | "swept">): readonly (readonly Ring[])[] =>
   standing.map((rings, i) => (swept[i]?.length ? difference(rings, swept[i]) : rings));
 
 /** A rapid that runs through material that surely stands. */
@@ -39,10 +42,12 @@ export interface RapidThrough {
  * A body that is milled, in the plane: for each limit the area over which it stands above. It is told from above only: no overhang, no rest
  * of a ball or a point. Cutting it takes time, so it is cut a bit at a time; a moment that is not reached yet is shown as far as it is.
  */
-export interface MilledStock extends BodyHeights {
-  /** Depths that are told apart, the shallowest first. `limits` are the heights that areas are told above. */
-  readonly depths: readonly number[];
+export interface MilledStock extends ToldHeights {
+  readonly bottom: number;
+  readonly top: number;
+  /** The heights that areas are told above, and whether something is lower than all heights without being milled. */
   readonly limits: readonly number[];
+  readonly hasLower: boolean;
   /** Motions that are cut so far. */
   readonly reached: () => number;
   /** Cuts on by some motions; true when all are cut. */
@@ -66,8 +71,14 @@ interface Layer {
 }
 
 /** What stands at the top stands above a hair below it; above the bottom stands everything. */
-function standingOn({ body }: MilledInput["bodies"][number], limit: number, { bottom, top }: Pick<MilledStock, "bottom" | "top">): Ring[] {
-  return standingAbove(body, limit <= bottom ? -Infinity : limit >= top ? top - SAME : limit);
+function standingOn(body: MilledBody, limit: number, { bottom, top }: Pick<MilledStock, "bottom" | "top">): Ring[] {
+  return standingAbove(body, limit <= bottom ? -Infinity : limit >= top ? top - SAME : limit - SAME);
+}
+
+/** Between each limit and the one before it the area over which a body reaches that high and no higher. */
+function cameFrom(body: MilledBody, limits: readonly number[], heights: Pick<MilledStock, "bottom" | "top">): readonly (readonly Ring[])[] {
+  const areas = limits.map((limit) => standingOn(body, limit, heights));
+  return areas.map((area, i) => (i === 0 ? area : real(difference(area, areas[i - 1] ?? []))));
 }
 
 /** Begins to cut; null where there is no body. */
@@ -75,14 +86,18 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
   const first = bodies[0], heights = first && heightsOf(first.body);
   if (!heights) return null;
   const { bottom, top } = heights;
-  const depths = depthsOf(motions, heights), limits = heightLimits(depths, heights);
+  const told = toldHeights(motions, { bottom, top, shoulders: bodies.flatMap(({ body }) => heightsOf(body)?.shoulders ?? []) });
+  const lowest = told.heights.at(-1) ?? top, area = (body: MilledBody, height: number) => areaOf(standingAbove(body, height));
+  const hasLower = bodies.some(({ body }) => area(body, -Infinity) > area(body, lowest - SAME) + SAME);
+  const limits = heightLimits(told.heights, heights, hasLower);
   const bodyAt = new Map(bodies.map((each) => [each.step, each]));
   const layers = limits.map((limit): Layer => ({ limit, marks: marksOf() }));
   const rapids: RapidThrough[] = [];
   let cuts: readonly Cutting[] = [], next = 0, marked = 0;
 
+  const came = bodies.map(({ step, body }) => ({ step, areas: cameFrom(body, limits, heights) }));
   /** What another body leaves of areas: turning takes material away between two cuts of a mill. */
-  const taken = (body: MilledInput["bodies"][number], before: readonly (readonly Ring[])[] | null) =>
+  const taken = (body: MilledBody, before: readonly (readonly Ring[])[] | null) =>
     limits.map((limit, i) => {
       const own = standingOn(body, limit, heights), had = before?.[i];
       return had ? intersection(had, own) : own;
@@ -108,7 +123,7 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
 
   function cut(): void {
     const body = bodyAt.get(next), m = motions[next];
-    if (body) cuts = begin(taken(body, next === 0 ? null : cuts.map((c) => c.stock())), next, true);
+    if (body) cuts = begin(taken(body.body, next === 0 ? null : cuts.map((c) => c.stock())), next, true);
     else if (next - marked >= MARK.motions || cuts.some((c) => c.pieces >= MARK.pieces))
       cuts = begin(cuts.map((c) => c.stock()), next, false);
     if (m) {
@@ -123,11 +138,11 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
 
   const players = layers.map(({ limit, marks }) => layerPlayer(motions, marks.all(), (m) => swept(m, limit)));
   return {
+    ...told,
     top,
     bottom,
-    isStepped: heights.isStepped,
-    depths,
     limits,
+    hasLower,
     reached: () => Math.min(next, motions.length),
     advance(some) {
       for (let i = 0; i < some && next < motions.length; i += 1) cut();
@@ -139,6 +154,7 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
       return {
         standing,
         swept: limits.map((limit) => (running ? swept(running, limit, fraction).flatMap(({ rings }) => [...rings]) : [])),
+        came: came.findLast((each) => each.step <= whole)?.areas ?? [],
       };
     },
     isSameBody: (one, other) => !bodies.some(({ step }) => step > Math.min(one, other) && step <= Math.max(one, other)),

@@ -35,6 +35,9 @@ function noting() {
           return () => said.push(spots.length === 0 ? "nothing" : `${String(of.fillStyle)} ${around()}`);
         case "clearRect":
           return () => said.push(`clear within ${clips}`);
+        case "stroke":
+          return () =>
+            (of.strokeStyle === "hatch" || (of.strokeStyle === "step" && spots.length > 99)) && said.push(`hatch within ${clips}`);
         default:
           return () => undefined;
       }
@@ -46,10 +49,14 @@ function noting() {
 const moment: MilledMoment = {
   standing: [[square(20, 20, 30)], [square(10, 10, 60)], [square(0, 0, 100)]],
   swept: [[], [square(60, 60, 20)], [square(64, 64, 5)]],
+  came: [[square(0, 0, 100)], [], []],
 };
-const painted = (patch: { readonly x: number; readonly y: number; readonly width: number; readonly height: number }) => {
+const painted = (
+  patch: { readonly x: number; readonly y: number; readonly width: number; readonly height: number },
+  painting: MilledMoment = moment,
+) => {
   const { pen, said } = noting();
-  paintMilled(pen, { moment, tones: ["shallow", "deep"] }, CAMERA, COLOURS, patch);
+  paintMilled(pen, { moment: painting, tones: ["shallow", "deep"] }, CAMERA, COLOURS, patch);
   return said;
 };
 
@@ -59,8 +66,21 @@ test("what is deepest is painted first, then what stands higher, then what the r
     "deep 21 52 371 402",
     "shallow 56 157 266 367",
     "ground 91 227 196 332",
+    "hatch within 3",
     "deep 231 122 301 192",
-    "clear within 5",
+    "clear within 6",
+  ]);
+});
+
+test("a shoulder that is not milled is hatched in the tone of its height", () => {
+  const shouldered: MilledMoment = { ...moment, swept: [[], [], []], came: [[square(20, 20, 30)], [square(10, 10, 60)], []] };
+  expect(painted({ x: 0, y: 0, width: 600, height: 500 }, shouldered)).toEqual([
+    "clear within 1",
+    "deep 21 52 371 402",
+    "shallow 56 157 266 367",
+    "hatch within 3",
+    "ground 91 227 196 332",
+    "hatch within 5",
   ]);
 });
 
@@ -70,8 +90,9 @@ test("rings that do not come near the patch are left out", () => {
     "deep 21 52 371 402",
     "nothing",
     "nothing",
+    "hatch within 3",
     "nothing",
-    "clear within 5",
+    "clear within 6",
   ]);
 });
 

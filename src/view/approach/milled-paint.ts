@@ -7,10 +7,10 @@ import type { Patch, Pen } from "../material/pen.ts";
 
 /** What milled stock is painted with, as CSS colours. */
 export interface MilledColours {
-  /** What is untouched, and its hatch. */
+  /** What reaches up to the top, and the hatch of all that is not milled. */
   readonly ground: string;
   readonly hatch: string;
-  /** Round the body, and round what is milled. */
+  /** Round the body; round what is milled, and the hatch of lower shoulders, whose tones are darker. */
   readonly edge: string;
   readonly step: string;
 }
@@ -74,10 +74,10 @@ export interface Milled {
 
 /**
  * Paints a patch of milled stock anew, seen from above with X to the right and Y upwards: first what is deepest, over it what stands
- * higher, hatched what is untouched. Nothing outside the patch is touched; what is milled through stays empty.
+ * higher, hatched what is not milled, however high it came. Nothing outside the patch is touched; what is milled through stays empty.
  */
 export function paintMilled(pen: Pen, { moment, tones }: Milled, camera: Camera, colours: MilledColours, patch: Patch): void {
-  const { standing, swept } = moment, { x, y, width, height } = patch, { scale, zero } = camera, last = standing.length - 1;
+  const { standing, swept, came } = moment, { x, y, width, height } = patch, { scale, zero } = camera, last = standing.length - 1;
   const seen = {
     left: (x - zero.x) / scale,
     right: (x + width - zero.x) / scale,
@@ -95,10 +95,13 @@ export function paintMilled(pen: Pen, { moment, tones }: Milled, camera: Camera,
     trace(sheet, rings);
     pen.fillStyle = i === 0 ? colours.ground : (tones[i - 1] ?? colours.ground);
     pen.fill("nonzero");
-    if (i === 0) {
+    const whole = came[i] ?? [];
+    if (whole.length > 0) {
       pen.save();
       pen.clip("nonzero");
-      hatch(pen, patch, colours.hatch);
+      trace(sheet, whole);
+      pen.clip("nonzero");
+      hatch(pen, patch, i === 0 ? colours.hatch : colours.step);
       pen.restore();
       trace(sheet, rings);
     }
