@@ -4,6 +4,8 @@
  * With `?clock=2026-11-21T08:00` it stands at that moment of the local day, so that every date does so too.
  */
 export interface Clock {
+  /** Whether time passes by itself, as it does for what the browser moves. */
+  readonly flows: boolean;
   /** Milliseconds since the page was opened. */
   now(): number;
   /** Calls once at the next picture; returns what cancels it. */
@@ -27,6 +29,7 @@ declare global {
 const PICTURE = 16;
 
 const browserClock: Clock = {
+  flows: true,
   now: () => performance.now(),
   frame(callback) {
     const handle = requestAnimationFrame(callback);
@@ -44,6 +47,7 @@ export function manualClock(): Clock & ManualClock {
     for (const callback of due) callback(time);
   };
   return {
+    flows: false,
     now: () => time,
     frame(callback) {
       const own = (now: number) => callback(now);

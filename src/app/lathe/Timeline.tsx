@@ -1,12 +1,14 @@
-import { useCallback, useMemo, useRef } from "react";
+import { useCallback, useEffect, useMemo, useRef } from "react";
 import type { Run } from "../../program/run-types.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
 import { secondsAt, trackOf } from "../../view/playback.ts";
 import { timeBar, type TimedStep } from "../../view/timeline.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { clockText } from "./clock-text.ts";
 import type { PlaybackStore } from "./playback-store.ts";
-import { useEachPicture, useEachReading, usePlayback } from "./use-playback.ts";
+import { glide } from "./glide.ts";
+import { useEachReading, usePlayback } from "./use-playback.ts";
 
 /** What a timeline is made from: a run, or the part of one that a view shows. */
 export interface TimedRun extends Pick<Run, "operations"> {
@@ -22,10 +24,13 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
     const { track, position, playing } = store.get();
     return playing ? "" : t.timeOf(clockText(language, secondsAt(track, position)), clockText(language, track.total));
   });
-  useEachPicture(playback, useCallback(() => {
-    const { track, position } = playback.get(), part = track.total > 0 ? secondsAt(track, position) / track.total : 0;
-    if (head.current) head.current.style.transform = `translateX(${part * 100}%)`;
-  }, [playback]));
+  useEffect(() => {
+    const at = (position: PlayPosition) => {
+      const { track } = playback.get();
+      return `translateX(${track.total > 0 ? (100 * secondsAt(track, position)) / track.total : 0}%)`;
+    };
+    return head.current ? glide(head.current, playback, { at, bends: () => [] }).end : undefined;
+  }, [playback]);
   useEachReading(playback, useCallback(() => {
     const { track, position } = playback.get(), seconds = secondsAt(track, position);
     if (input.current) input.current.value = String(track.total > 0 ? (1000 * seconds) / track.total : 0);

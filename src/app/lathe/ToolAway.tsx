@@ -48,7 +48,7 @@ export function ToolAway({ viewport, playback, steps }: { readonly viewport: Vie
       paint();
     };
     look();
-    const ends = [viewport.subscribe(look), playback.subscribe(paint)];
+    const ends = [viewport.subscribe(look), playback.subscribeReader(paint)];
     return () => {
       ends.forEach((end) => end());
       element.style.display = "none";

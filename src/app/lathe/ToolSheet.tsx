@@ -4,18 +4,19 @@ import type { Pt, Ring } from "../../kernel/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { boundsOf, common, grownBounds } from "../../view/bounds.ts";
-import { toScreen, type Bounds } from "../../view/camera.ts";
+import { toScreen, type Bounds, type Place } from "../../view/camera.ts";
 import { clipOf, frontOf, liesInward, windowsOf } from "../../view/cutting-tool/covered.ts";
 import { toolBox } from "../../view/cutting-tool/drawing.ts";
-import { tipAt } from "../../view/tip.ts";
 import type { SectionView } from "../settings/settings.ts";
 import { BreakLine } from "./BreakLine.tsx";
+import { restingTip, runningTip, type Carrying } from "./carry.ts";
 import { ChipSheet } from "./ChipSheet.tsx";
 import { DrawnTool } from "./DrawnTool.tsx";
 import { stepIndex, type Moving } from "./moving.ts";
 import { usePlayback } from "./use-playback.ts";
 import type { Viewport } from "./viewport.ts";
 
+const CORNER: Place = { x: 0, y: 0 };
 /** Pixels round the drawing of a tool for its lines. */
 const LINE = 4;
 /** As much of a holder is drawn as fits into this many pictures. */
@@ -31,29 +32,42 @@ function boxesOf(tool: Tool): { readonly insert: Bounds; readonly all: Bounds } 
 interface Standing {
   readonly viewport: Viewport;
   readonly tool: Tool;
-  /** Where the tip stands now; null: nowhere. */
-  readonly tip: () => Pt | null;
-  /** Calls when the tip has moved; returns what ends it. */
-  readonly follow: (listener: () => void) => () => void;
+  readonly carrying: Carrying;
 }
 
-/** Carries what it holds where the tip goes, its origin at the tip: one transform, which costs the page no layout and no painting. */
-function Carrier({ viewport, tip, follow, children }: Omit<Standing, "tool"> & { readonly children: React.ReactNode }) {
-  const carrier = useRef<HTMLDivElement>(null);
+/**
+ * Carries what it holds where the tip goes, its origin at the tip: a part of the page that looks where the camera looks, and in it one that
+ * goes along by transforms, which cost no layout and no painting.
+ */
+function Carrier({ viewport, carrying, children }: Omit<Standing, "tool"> & { readonly children: React.ReactNode }) {
+  const world = useRef<HTMLDivElement>(null), carrier = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    const carried = carrier.current;
-    if (!carried) return undefined;
-    const place = () => {
-      const at = tip();
-      if (!at) return;
-      const camera = viewport.get(), { x, y } = toScreen(camera, at), grown = camera.scale / viewport.drawn().scale;
-      carried.style.transform = `translate(${x}px, ${y}px)${grown === 1 ? "" : ` scale(${grown})`}`;
+    const carried = carrier.current, around = world.current;
+    if (!carried || !around) return undefined;
+    let drawn = viewport.drawn();
+    const gliding = carrying.carry(carried, (tip) => {
+      const { x, y } = toScreen({ ...drawn, zero: CORNER }, tip);
+      return `translate(${x}px, ${y}px)`;
+    });
+    const look = () => {
+      const { zero, scale } = viewport.get(), before = drawn;
+      drawn = viewport.drawn();
+      const grown = scale / drawn.scale;
+      around.style.transform = `translate(${zero.x}px, ${zero.y}px)${grown === 1 ? "" : ` scale(${grown})`}`;
+      if (drawn.scale !== before.scale || drawn.xUp !== before.xUp) gliding.again();
     };
-    place();
-    const ends = [viewport.subscribe(place), follow(place)];
-    return () => ends.forEach((end) => end());
-  }, [viewport, tip, follow]);
-  return <div ref={carrier} className="tool-carrier">{children}</div>;
+    look();
+    const deaf = viewport.subscribe(look);
+    return () => {
+      deaf();
+      gliding.end();
+    };
+  }, [viewport, carrying]);
+  return (
+    <div ref={world} className="tool-world">
+      <div ref={carrier} className="tool-carrier">{children}</div>
+    </div>
+  );
 }
 
 /** A tool on a sheet no larger than itself, drawn anew for another tool or another zoom. */
@@ -144,22 +158,20 @@ export function RunningTool({ viewport, moving, section }: { readonly viewport: 
 {
   const { steps, playback, stockAt } = moving;
   const index = usePlayback(playback, (store) => stepIndex(steps, store.shown()));
-  const tip = useMemo(() => () => tipAt(steps, playback.shown()), [steps, playback]);
+  const carrying = useMemo(() => runningTip(steps, playback), [steps, playback]);
   const end = useCallback(() => frontOf(stockAt({ step: index, fraction: 0 })), [stockAt, index]);
   const tool = steps[index]?.tool;
   return tool && (
-    <StandingTool viewport={viewport} tool={tool} tip={tip} follow={playback.subscribe} section={section} end={end}>
+    <StandingTool viewport={viewport} tool={tool} carrying={carrying} section={section} end={end}>
       <ChipSheet viewport={viewport} moving={moving} />
     </StandingTool>
   );
 }
 
-const NEVER = () => () => undefined;
-
 /** The tool where it stands at the call of the cycle. */
 export function WaitingTool({ viewport, tool, at, blank, section }: { readonly viewport: Viewport; readonly tool: Tool; readonly at: Pt;
   readonly blank: readonly Ring[]; readonly section: SectionView })
 {
-  const tip = useMemo(() => () => at, [at]), end = useCallback(() => frontOf(blank), [blank]);
-  return <StandingTool viewport={viewport} tool={tool} tip={tip} follow={NEVER} section={section} end={end} />;
+  const carrying = useMemo(() => restingTip(at), [at]), end = useCallback(() => frontOf(blank), [blank]);
+  return <StandingTool viewport={viewport} tool={tool} carrying={carrying} section={section} end={end} />;
 }

@@ -7,6 +7,8 @@ export interface PlaybackStore {
   readonly get: () => Playback;
   /** The position to show: without motion, only ends of moves while it plays. */
   readonly shown: () => PlayPosition;
+  /** The moment of the clock that the position belongs to, ms; null at rest, without motion, and where time does not pass by itself. */
+  readonly since: () => number | null;
   readonly dispatch: (action: Action) => void;
   /** Calls after each change; returns what ends it. */
   readonly subscribe: (listener: () => void) => () => void;
@@ -59,10 +61,10 @@ export function createPlaybackStore(clock: Clock): PlaybackStore {
   return {
     get: () => state,
     shown: () => (still && state.playing ? settled(state.position) : state.position),
+    since: () => (state.playing && !still && clock.flows ? last : null),
     dispatch(action) {
-      const rested = !state.playing;
+      if (!state.playing) last = clock.now();
       set(reduce(state, action));
-      if (rested && state.playing) last = clock.now();
       follow();
     },
     subscribe: subscriber(listeners),

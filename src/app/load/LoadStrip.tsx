@@ -9,7 +9,7 @@ import { rowAt } from "../../view/load/values.ts";
 import { moveAt, positionNear } from "../../view/pick.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
-import { useEachPicture } from "../lathe/use-playback.ts";
+import { useEachReading } from "../lathe/use-playback.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { useSettings } from "../settings/settings.ts";
 import { goToLoad } from "./go.ts";
@@ -83,7 +83,7 @@ export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadS
   const place = useSyncExternalStore(pointed.subscribe, pointed.get);
   const here = place && load ? pointedText({ t, language, of, load }, run, place, NEAR / viewport.get().scale, shown) : "";
   const now = useRef<HTMLSpanElement>(null);
-  useEachPicture(playback, useCallback(() => {
+  useEachReading(playback, useCallback(() => {
     const said = (load && momentText({ t, language, of, load }, playback.shown())) || "–";
     if (now.current && now.current.textContent !== said) now.current.textContent = said;
   }, [t, language, of, load, playback]));

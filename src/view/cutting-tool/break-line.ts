@@ -2,7 +2,7 @@ import { holderOutlines, shankAxis } from "../../kernel/holder.ts";
 import type { Pt } from "../../kernel/point.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { boundsOf } from "../bounds.ts";
-import { toScreen, type Camera, type Place } from "../camera.ts";
+import { toScreen, type Bounds, type Camera, type Place } from "../camera.ts";
 import type { Seen } from "../edge-mark.ts";
 
 /** Where a shank leaves the picture: the middle of the break, which way the shank goes on there, and how wide it is, pixels. */
@@ -13,9 +13,20 @@ export interface Broken {
   readonly width: number;
 }
 
+const shanks = new WeakMap<Tool, Bounds | null>();
+
+/** The box round the shank of a tool, from its tip; null without one. Asked for with each picture. */
+function shankOf(tool: Tool): Bounds | null {
+  const known = shanks.get(tool);
+  if (known !== undefined) return known;
+  const box = boundsOf(tool.holder ? (holderOutlines(tool).at(-1) ?? []) : []);
+  shanks.set(tool, box);
+  return box;
+}
+
 /** Where the shank of a tool leaves what is seen, its tip at a place; null where its end is in sight, or nothing of it. */
 export function breakOf(tool: Tool, tip: Pt, camera: Camera, seen: Seen): Broken | null {
-  const shank = boundsOf(tool.holder ? (holderOutlines(tool).at(-1) ?? []) : []);
+  const shank = shankOf(tool);
   if (!tool.holder || !shank) return null;
   const corner = (z: number, r: number) => toScreen(camera, { z: (tip.z + z) as Pt["z"], r: (tip.r + r) as Pt["r"] });
   const [a, b] = [corner(shank.left, shank.low), corner(shank.right, shank.high)];
