@@ -1,11 +1,13 @@
 import { expose } from "comlink";
 import { z } from "zod/mini";
 import type { Simulation } from "../../sim/simulation.ts";
+import type { StockLook } from "../../view/material/stock-painter.ts";
 import { stopwatch } from "../clock.ts";
 import type { advice } from "./advice.ts";
 import { engine, makersAgain } from "./engine.ts";
 import { loadRequestOf, type KnownOutcome, type LoadRequest } from "./load-request.ts";
 import type { Outcome, Stage } from "./outcome.ts";
+import type { PlayedCourse, PlayedOn } from "./played.ts";
 import type { reported } from "./reported.ts";
 import type { Request } from "./request.ts";
 import { wireOutcomes } from "./wire.ts";
@@ -48,6 +50,8 @@ function proved(request: Request, tell?: (stage: Stage) => void): Proved {
 type Advice = typeof advice;
 const fetchAdvice = async (): Promise<Advice> => (await import("./advice.ts")).advice;
 
+const fetchPlayed = () => import("./played.ts");
+
 /** What the page can ask: what every work needs is there at once, advice is fetched when it is first asked for. */
 const served = {
   ...engine,
@@ -62,6 +66,13 @@ const served = {
     const request = requestOf(of);
     return request && (await import("./load.ts")).roughness(request);
   },
+  /** Paints the stock of the newest outcome while it plays; false when it cannot. */
+  async play(of: KnownOutcome, on: PlayedOn, look: StockLook, course: PlayedCourse): Promise<boolean> {
+    const outcome = newest;
+    if (!outcome || !knownRequest(of)) return false;
+    return await (await fetchPlayed()).play(outcome, on, look, course);
+  },
+  stopPlaying: async () => (await fetchPlayed()).stopPlaying(),
   fitsOfWork: async (...asked: Parameters<Advice["fitsOfWork"]>) => (await fetchAdvice()).fitsOfWork(...asked),
   ways: async (...asked: Parameters<Advice["ways"]>) => (await fetchAdvice()).ways(...asked),
   tryWay: async (...asked: Parameters<Advice["tryWay"]>) => (await fetchAdvice()).tryWay(...asked),

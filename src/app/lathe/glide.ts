@@ -23,10 +23,19 @@ const AHEAD = 2000, NEXT = 1500, FINE = 8;
 /** Further from where it should be than this it is taken there at once, ms. */
 const ASIDE = 4;
 
-/** A part of the way that was told. */
-interface Told extends Pick<Playback, "track" | "rate"> {
+/** How a playback goes on by itself: from so many machine seconds at a moment of the clock, ms. */
+export interface Course extends Pick<Playback, "track" | "rate"> {
   readonly from: number;
   readonly since: number;
+}
+
+/** Whether a playback at a moment of the clock is where its course took it. */
+export const isOnCourse = ({ track, rate, from, since }: Course, state: Playback, now: number): boolean =>
+  track === state.track && rate === state.rate
+  && Math.abs(from - secondsAt(track, state.position) + (rate * (now - since)) / 1000) < (ASIDE * rate) / 1000;
+
+/** A part of the way that was told. */
+interface Told extends Course {
   readonly animation: Animation;
 }
 
@@ -64,13 +73,10 @@ export function glide(element: HTMLElement, playback: PlaybackStore, way: Way): 
     told?.animation.cancel();
     told = { track, rate, from, since, animation };
   };
-  const isOnIt = ({ track, rate, from, since }: Told, state: Playback, now: number) =>
-    track === state.track && rate === state.rate && now - since < NEXT
-    && Math.abs(from - secondsAt(track, state.position) + (rate * (now - since)) / 1000) < (ASIDE * rate) / 1000;
   const follow = () => {
     const state = playback.get(), now = playback.since();
     if (now === null || !("animate" in element)) return rest();
-    if (!told || !isOnIt(told, state, now)) tell(state, now);
+    if (!told || now - told.since > NEXT || !isOnCourse(told, state, now)) tell(state, now);
   };
   const again = () => {
     const now = playback.since();

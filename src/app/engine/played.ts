@@ -1,0 +1,77 @@
+import { spindleAt } from "../../sim/load/spindles.ts";
+import { playerOf, sameBlank } from "../../sim/stock.ts";
+import { stockPainter, type PaintedRun, type StockLook } from "../../view/material/stock-painter.ts";
+import { surfacesOf } from "../../view/material/surfaces.ts";
+import { positionAt, trackOf, type PlayedTrack } from "../../view/playback.ts";
+import { momentOf, stopwatch } from "../clock.ts";
+import type { Outcome } from "./outcome.ts";
+
+/** How a run is played: so many machine seconds were over at a moment of the day, ms since 1970, and so many pass in a second. */
+export interface PlayedCourse {
+  readonly seconds: number;
+  readonly since: number;
+  readonly rate: number;
+}
+
+/** Where it is painted: a canvas by its name, which is sent the first time. */
+export interface PlayedOn {
+  readonly name: string;
+  readonly canvas: OffscreenCanvas | null;
+}
+
+interface Playable {
+  readonly run: PaintedRun;
+  readonly track: PlayedTrack;
+}
+const playables = new WeakMap<Outcome, Playable>();
+
+function playableOf(outcome: Outcome): Playable {
+  const known = playables.get(outcome);
+  if (known) return known;
+  const { run: { steps, spindles }, simulation } = outcome;
+  const run: PaintedRun = {
+    steps,
+    stockAt: playerOf(simulation).at,
+    isSameBlank: sameBlank(simulation),
+    surfaces: surfacesOf(steps, (step) => spindleAt(spindles, step)),
+  };
+  const made = { run, track: trackOf(steps) };
+  playables.set(outcome, made);
+  return made;
+}
+
+let here: { readonly name: string; readonly canvas: OffscreenCanvas } | null = null;
+/** Counts the plays: one ends where the next one begins. */
+let played = 0;
+
+/** Nothing is painted any more. */
+export function stopPlaying(): void {
+  played += 1;
+}
+
+const picture = (): Promise<number> => new Promise((done) => requestAnimationFrame(done));
+
+/**
+ * Paints the stock of an outcome as it plays, picture after picture, until something else is to be painted or nothing. Answers when the
+ * first picture is seen; false when the canvas is not known here.
+ */
+export async function play(outcome: Outcome, on: PlayedOn, look: StockLook, course: PlayedCourse): Promise<boolean> {
+  played += 1;
+  const own = played;
+  if (on.canvas) here = { name: on.name, canvas: on.canvas };
+  const pen = here?.name === on.name && "requestAnimationFrame" in self ? here.canvas.getContext("2d") : null;
+  if (!pen) return false;
+  const { run, track } = playableOf(outcome), { canvas } = pen;
+  const [width, height] = [look.origin.width, look.origin.height].map((side) => Math.round(side * look.ratio)) as [number, number];
+  if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+  const painter = stockPainter(run);
+  const at = (now: number) => positionAt(track, course.seconds + (course.rate * (momentOf(now) - course.since)) / 1000);
+  painter.goTo(at(stopwatch()));
+  painter.all(pen, look);
+  await picture();
+  void (async () => {
+    while (played === own) painter.follow(pen, look, at(await picture()));
+  })();
+  await picture();
+  return played === own;
+}

@@ -1,0 +1,110 @@
+import { transfer } from "comlink";
+import type { Step } from "../../kernel/step.ts";
+import type { StockLook } from "../../view/material/stock-painter.ts";
+import { secondsAt, type PlayedTrack } from "../../view/playback.ts";
+import { momentOf } from "../clock.ts";
+import type { KnownOutcome } from "../engine/load-request.ts";
+import { useOutcome } from "../engine/outcome.ts";
+import { askWorker } from "../engine/worker-life.ts";
+import { layOver } from "./fit-canvas.ts";
+import { isOnCourse, type Course } from "./glide.ts";
+import type { PlaybackStore } from "./playback-store.ts";
+
+/** The stock as the worker paints it while it plays, on a layer of its own over the one that the page paints. */
+export interface PlayedLayer {
+  /** Follows the playback; true while the layer shows the stock, so that the page need not. */
+  readonly follow: (look: () => StockLook) => boolean;
+  /** Shows nothing, until it is to follow again. */
+  readonly stop: () => void;
+  readonly canvas: () => HTMLCanvasElement | null;
+}
+
+/** A canvas whose content belongs to the worker, and its name there. */
+interface Layer {
+  readonly canvas: HTMLCanvasElement;
+  readonly name: string;
+  sent: boolean;
+}
+
+const layers = new WeakMap<HTMLElement, Layer>();
+let count = 0;
+
+function layerIn(holder: HTMLElement): Layer {
+  const known = layers.get(holder);
+  if (known) return known;
+  count += 1;
+  const canvas = document.createElement("canvas");
+  canvas.className = "sheet material";
+  canvas.style.visibility = "hidden";
+  holder.append(canvas);
+  const made = { canvas, name: `played ${count}`, sent: false };
+  layers.set(holder, made);
+  return made;
+}
+
+/** What the worker does not know, or cannot paint on, is left to the page. */
+function drop(holder: HTMLElement): void {
+  layers.get(holder)?.canvas.remove();
+  layers.delete(holder);
+}
+
+const canPaint = () => typeof HTMLCanvasElement !== "undefined" && "transferControlToOffscreen" in HTMLCanvasElement.prototype;
+
+/** The open work by its version, when it is the one whose steps are played. */
+function knownOf(steps: readonly Step[]): KnownOutcome | null {
+  const { shown } = useOutcome.getState();
+  return shown?.run.steps === steps ? { version: shown.version, moves: steps.length } : null;
+}
+
+async function ask(layer: Layer, of: KnownOutcome, look: StockLook, course: Course): Promise<boolean> {
+  const canvas = layer.sent ? null : layer.canvas.transferControlToOffscreen();
+  layer.sent = true;
+  const on = canvas ? transfer({ name: layer.name, canvas }, [canvas]) : { name: layer.name, canvas };
+  const { from: seconds, rate } = course, since = momentOf(course.since);
+  try {
+    return await askWorker((engine) => engine.play(of, on, look, { seconds, since, rate }));
+  } catch {
+    return false;
+  }
+}
+
+/** A layer in an element of the page that follows a playback of so many steps. */
+export function playedLayer(holder: HTMLElement, steps: readonly Step[], playback: PlaybackStore): PlayedLayer {
+  let course: Course | null = null, state: "asked" | "shown" | "refused" = "asked", begun = 0;
+  const stop = () => {
+    if (!course) return;
+    course = null;
+    begun += 1;
+    const layer = layers.get(holder);
+    if (layer) layer.canvas.style.visibility = "hidden";
+    if (layer && state !== "refused") void askWorker((engine) => engine.stopPlaying()).catch(() => undefined);
+  };
+  const begin = async (of: KnownOutcome, look: StockLook, next: Course) => {
+    if (state !== "shown" || !course) state = "asked";
+    course = next;
+    begun += 1;
+    const own = begun, layer = layerIn(holder);
+    layOver(layer.canvas, look.origin);
+    const isShown = await ask(layer, of, look, next);
+    if (own !== begun) return;
+    state = isShown ? "shown" : "refused";
+    if (isShown) layer.canvas.style.visibility = "";
+    else drop(holder);
+  };
+  return {
+    stop,
+    canvas: () => layers.get(holder)?.canvas ?? null,
+    follow(look) {
+      const now = playback.get(), since = playback.since(), of = since === null || !canPaint() ? null : knownOf(steps);
+      if (!of || since === null) {
+        stop();
+        return false;
+      }
+      if (!course || (state !== "refused" && !isOnCourse(course, now, since))) {
+        const track: PlayedTrack = now.track;
+        void begin(of, look(), { track, rate: now.rate, from: secondsAt(track, now.position), since });
+      }
+      return state === "shown";
+    },
+  };
+}
