@@ -58,11 +58,13 @@ test("playing, stepping and seeking show the same stock", async ({ page }) => {
   expect(sought).not.toBeNull();
 });
 
-/** How the picture of the material is shaded: the mean of each square of the canvas. */
-const shades = (turnwise: Turnwise) =>
-  turnwise.lathe.picture.locator("canvas.material").evaluate((element) => {
+/** How the picture of the material is shaded, or another canvas of it: the mean of each square. */
+const shades = (turnwise: Turnwise, canvas = "canvas.material") =>
+  turnwise.lathe.picture.locator(canvas).evaluate((element) => {
     const { width, height } = element as HTMLCanvasElement, side = 12;
-    const pixels = (element as HTMLCanvasElement).getContext("2d")?.getImageData(0, 0, width, height).data ?? [];
+    const pen = new OffscreenCanvas(width, height).getContext("2d");
+    pen?.drawImage(element as HTMLCanvasElement, 0, 0);
+    const pixels = pen?.getImageData(0, 0, width, height).data ?? [];
     const squares: number[] = [];
     for (let y = 0; y + side <= height; y += side) {
       for (let x = 0; x + side <= width; x += side) {
@@ -74,13 +76,39 @@ const shades = (turnwise: Turnwise) =>
     return squares;
   });
 
+/** Squares that are shaded differently in two pictures. */
+const differing = (one: readonly number[], other: readonly number[]) => one.filter((v, i) => Math.abs(v - (other[i] ?? 0)) > 6).length;
+
+test("while it plays by itself the worker paints the stock, as the page does at rest", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { lathe, effect } = turnwise, layer = lathe.picture.locator(".played canvas");
+  await turnwise.start.beginWithExample(812);
+  await effect.proved();
+  const blank = await shades(turnwise);
+  await lathe.timeline.fill("411.3");
+  await lathe.speed.selectOption("0.1");
+  for (const again of [false, true]) {
+    await lathe.button("play").click();
+    await expect(layer).toBeVisible();
+    if (again) {
+      await lathe.button("zoomIn").click();
+      await lathe.button("fit").click();
+      await expect(layer).toBeVisible();
+    }
+    const played = await shades(turnwise, ".played canvas");
+    await lathe.button("pause").click();
+    await expect(layer).toBeHidden();
+    expect(differing(played, await shades(turnwise, ".sheet.material:not(.played *)"))).toBeLessThan(12);
+    expect(differing(played, blank)).toBeGreaterThan(100);
+  }
+});
+
 test("in each view, and with X down, the work looks the same when it was played and when it is looked at anew", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
   const { lathe, effect, t } = turnwise;
   await turnwise.start.beginWithExample(812);
   await effect.proved();
   await expect(lathe.section).toHaveValue("half");
-  const differing = (one: readonly number[], other: readonly number[]) => one.filter((v, i) => Math.abs(v - (other[i] ?? 0)) > 6).length;
   const seen: number[][] = [];
   for (const view of ["half", "full", "outside"] as const) {
     await lathe.section.selectOption(t.lathe.sections[view]);
