@@ -95,7 +95,7 @@ export const clock: Clock = chosen;
 export const time = (): number => chosen.time();
 
 /** The moment, ms since 1970, that lies so many ms behind the beginning of this page or worker: they tell moments to each other by it. */
-export const momentOf = (sinceBegin: number): number => performance.timeOrigin + sinceBegin;
+export const dayMoment = (sinceBegin: number): number => performance.timeOrigin + sinceBegin;
 
 /** Milliseconds that really pass, held or not: for pauses, and for nothing that is shown or kept. */
 export const stopwatch = (): number => performance.now();

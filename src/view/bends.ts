@@ -2,7 +2,7 @@ import type { PlayPosition } from "../sim/simulation.ts";
 import { positionAt, type PlayedTrack } from "./playback.ts";
 
 /** A moment of a run at which what goes along with the tool may change its direction: where it comes to, and where it goes on from. */
-export interface Bend {
+export interface WayBend {
   /** Machine seconds from the start of the run. */
   readonly seconds: number;
   readonly to: PlayPosition;
@@ -18,8 +18,8 @@ export function bendsBetween(
   [begin, end]: readonly [number, number],
   fine: number,
   isRound: (step: number) => boolean,
-): readonly Bend[] {
-  const bends: Bend[] = [];
+): readonly WayBend[] {
+  const bends: WayBend[] = [];
   let last = begin;
   const put = (seconds: number, to: PlayPosition | null) => {
     const from = positionAt(track, seconds);

@@ -3,7 +3,7 @@ import { playerOf, sameBlank } from "../../sim/stock.ts";
 import { stockPainter, type PaintedRun, type StockLook } from "../../view/material/stock-painter.ts";
 import { surfacesOf } from "../../view/material/surfaces.ts";
 import { positionAt, trackOf, type PlayedTrack } from "../../view/playback.ts";
-import { momentOf, stopwatch } from "../clock.ts";
+import { dayMoment, stopwatch } from "../clock.ts";
 import type { Outcome } from "./outcome.ts";
 
 /** How a run is played: so many machine seconds were over at a moment of the day, ms since 1970, and so many pass in a second. */
@@ -65,7 +65,7 @@ export async function play(outcome: Outcome, on: PlayedOn, look: StockLook, cour
   const [width, height] = [look.origin.width, look.origin.height].map((side) => Math.round(side * look.ratio)) as [number, number];
   if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
   const painter = stockPainter(run);
-  const at = (now: number) => positionAt(track, course.seconds + (course.rate * (momentOf(now) - course.since)) / 1000);
+  const at = (now: number) => positionAt(track, course.seconds + (course.rate * (dayMoment(now) - course.since)) / 1000);
   painter.goTo(at(stopwatch()));
   painter.all(pen, look);
   await picture();

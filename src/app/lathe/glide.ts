@@ -1,14 +1,14 @@
 import type { PlayPosition } from "../../sim/simulation.ts";
-import type { Bend } from "../../view/bends.ts";
+import type { WayBend } from "../../view/bends.ts";
 import { positionAt, secondsAt, type Playback, type PlayedTrack } from "../../view/playback.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
 /** The way of something on the page that goes along with a playback. */
-export interface Way {
+export interface GlideWay {
   /** The CSS transform that lays it where it belongs at a position; null where it belongs nowhere, and stays. */
   readonly at: (position: PlayPosition) => string | null;
   /** Where its way bends between two moments, machine seconds, told apart no finer than so many of them. Between bends it goes straight. */
-  readonly bends: (track: PlayedTrack, between: readonly [number, number], fine: number) => readonly Bend[];
+  readonly bends: (track: PlayedTrack, between: readonly [number, number], fine: number) => readonly WayBend[];
 }
 
 /** Something that goes along. */
@@ -24,22 +24,22 @@ const AHEAD = 2000, NEXT = 1500, FINE = 8;
 const ASIDE = 4;
 
 /** How a playback goes on by itself: from so many machine seconds at a moment of the clock, ms. */
-export interface Course extends Pick<Playback, "track" | "rate"> {
+export interface PlayCourse extends Pick<Playback, "track" | "rate"> {
   readonly from: number;
   readonly since: number;
 }
 
 /** Whether a playback at a moment of the clock is where its course took it. */
-export const isOnCourse = ({ track, rate, from, since }: Course, state: Playback, now: number): boolean =>
+export const isOnCourse = ({ track, rate, from, since }: PlayCourse, state: Playback, now: number): boolean =>
   track === state.track && rate === state.rate
   && Math.abs(from - secondsAt(track, state.position) + (rate * (now - since)) / 1000) < (ASIDE * rate) / 1000;
 
 /** A part of the way that was told. */
-interface Told extends Course {
+interface Told extends PlayCourse {
   readonly animation: Animation;
 }
 
-function keyframes({ at, bends }: Way, { track, rate }: Playback, [from, to]: readonly [number, number]): Keyframe[] {
+function keyframes({ at, bends }: GlideWay, { track, rate }: Playback, [from, to]: readonly [number, number]): Keyframe[] {
   let last = at(positionAt(track, from));
   const frame = (position: PlayPosition, seconds: number): Keyframe[] => {
     last = at(position) ?? last;
@@ -56,7 +56,7 @@ function keyframes({ at, bends }: Way, { track, rate }: Playback, [from, to]: re
  * Takes an element along with a playback. While it plays the browser moves the element by itself on a way that it is told in parts, which
  * costs the page nothing in between; at rest, without motion, and where time is held, the element is laid where it belongs.
  */
-export function glide(element: HTMLElement, playback: PlaybackStore, way: Way): Gliding {
+export function glide(element: HTMLElement, playback: PlaybackStore, way: GlideWay): Gliding {
   let told: Told | null = null;
   const rest = () => {
     const place = way.at(playback.shown());

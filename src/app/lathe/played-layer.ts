@@ -2,12 +2,12 @@ import { transfer } from "comlink";
 import type { Step } from "../../kernel/step.ts";
 import type { StockLook } from "../../view/material/stock-painter.ts";
 import { secondsAt, type PlayedTrack } from "../../view/playback.ts";
-import { momentOf } from "../clock.ts";
+import { dayMoment } from "../clock.ts";
 import type { KnownOutcome } from "../engine/load-request.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { askWorker } from "../engine/worker-life.ts";
 import { layOver } from "./fit-canvas.ts";
-import { isOnCourse, type Course } from "./glide.ts";
+import { isOnCourse, type PlayCourse } from "./glide.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
 /** The stock as the worker paints it while it plays, on a layer of its own over the one that the page paints. */
@@ -56,11 +56,11 @@ function knownOf(steps: readonly Step[]): KnownOutcome | null {
   return shown?.run.steps === steps ? { version: shown.version, moves: steps.length } : null;
 }
 
-async function ask(layer: Layer, of: KnownOutcome, look: StockLook, course: Course): Promise<boolean> {
+async function ask(layer: Layer, of: KnownOutcome, look: StockLook, course: PlayCourse): Promise<boolean> {
   const canvas = layer.sent ? null : layer.canvas.transferControlToOffscreen();
   layer.sent = true;
   const on = canvas ? transfer({ name: layer.name, canvas }, [canvas]) : { name: layer.name, canvas };
-  const { from: seconds, rate } = course, since = momentOf(course.since);
+  const { from: seconds, rate } = course, since = dayMoment(course.since);
   try {
     return await askWorker((engine) => engine.play(of, on, look, { seconds, since, rate }));
   } catch {
@@ -70,7 +70,7 @@ async function ask(layer: Layer, of: KnownOutcome, look: StockLook, course: Cour
 
 /** A layer in an element of the page that follows a playback of so many steps. */
 export function playedLayer(holder: HTMLElement, steps: readonly Step[], playback: PlaybackStore): PlayedLayer {
-  let course: Course | null = null, state: "asked" | "shown" | "refused" = "asked", begun = 0;
+  let course: PlayCourse | null = null, state: "asked" | "shown" | "refused" = "asked", begun = 0;
   const stop = () => {
     if (!course) return;
     course = null;
@@ -79,7 +79,7 @@ export function playedLayer(holder: HTMLElement, steps: readonly Step[], playbac
     if (layer) layer.canvas.style.visibility = "hidden";
     if (layer && state !== "refused") void askWorker((engine) => engine.stopPlaying()).catch(() => undefined);
   };
-  const begin = async (of: KnownOutcome, look: StockLook, next: Course) => {
+  const begin = async (of: KnownOutcome, look: StockLook, next: PlayCourse) => {
     if (state !== "shown" || !course) state = "asked";
     course = next;
     begun += 1;
