@@ -11,7 +11,7 @@ import { simulate, simulating } from "../src/sim/simulate.ts";
 import { stockAt } from "../src/sim/stock.ts";
 import { ringData } from "../src/view/path.ts";
 import { sceneOf } from "../src/view/scene.ts";
-import { changedOperations } from "./bench-again.ts";
+import { changedAt, changedOperations, PLACES, planningAgain } from "./bench-again.ts";
 import { longContour, printedExample } from "./long-contour.ts";
 import { grownProgram, type largePrograms } from "./large-programs.ts";
 import { longProgram } from "./long-program.ts";
@@ -123,16 +123,15 @@ function* grownCases(): Generator<BenchCase> {
   yield seekIn("seek 820", () => printJob(printedExample(820), labels));
   yield seekIn("seek 820 1000", () => across);
   const grown = grownProgram(GROWN.operations, GROWN.moves);
-  // The safety clearance of the last operation: the moves to its start become others.
-  const both = [grown, grown.replace(/Q460=\+0\.5(?![\s\S]*Q460=)/, "Q460=+0.6")].map((text) => planText(text)());
   yield benchCase("plan grown", planText(grown), FEW);
   yield benchCase("stock grown", () => stock(grown), FEW);
-  const proved = simulating();
-  yield benchCase("stock grown, last changed", (count) => {
-    const made = both[count % 2];
-    return made && proved(made);
-  }, FEW);
+  for (const [where, place] of PLACES) {
+    const plan = planningAgain(), proved = simulating();
+    yield benchCase(`plan grown, ${where} changed`, (count) => plan(changedAt(grown, place, count)), FEW);
+    yield benchCase(`stock grown, ${where} changed`, (count) => proved(plan(changedAt(grown, place, count))), FEW);
+  }
   yield seekIn("seek grown", () => grown);
+  const both = [0, 1].map((count) => planText(changedAt(grown, 1, count))());
   yield benchCase("picture grown", (count) => {
     const made = both[count % 2];
     return made && sceneOf({ blank: made.blank, contours: made.operations.map((o) => o.plan.contour), steps: made.steps });
@@ -187,19 +186,23 @@ function large(name: (typeof LARGE)[number]): Large | null {
   return done.status === 0 ? (JSON.parse(done.stdout) as Large) : null;
 }
 
+const FRAME = 16;
 /** What each time may be at most, ms (median), by how its name begins; every other one is a frame. */
 const LIMITS: readonly (readonly [string, number])[] = [
   ["parse", 50],
   ["verify", 30],
   ["plan 820 1000", 50],
+  ["plan 810 1000", 50],
+  ["plan grown, ", FRAME],
   ["plan grown", 1000],
   ["plan", 5],
-  ["stock grown, last", 500],
+  ["stock grown, first", 10_000],
+  ["stock grown, middle", 10_000],
+  ["stock grown, ", 500],
   ["stock grown", 10_000],
   ["picture grown", 100],
   ["stock", 250],
 ];
-const FRAME = 16;
 const limit = (name: string) => LIMITS.find(([begin]) => name.startsWith(begin))?.[1] ?? FRAME;
 
 function resultRow([name, each]: readonly [string, Measured]): readonly string[] {

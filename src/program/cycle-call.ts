@@ -1,14 +1,11 @@
 import type { Cycle, Given } from "../cycles/define.ts";
 import { cycleByNumber } from "../cycles/index.ts";
-import type { Params, Values } from "../cycles/params.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
-import type { Plan } from "../kernel/plan.ts";
-import { empty } from "../kernel/strategy/leveled.ts";
 import { partPoint } from "../kernel/plane.ts";
 import type { CycleParameter, StatementOf } from "../nc/statement.ts";
 import type { Pt } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
-import { toDiameter } from "../kernel/units.ts";
+import { answerTo } from "./call-answer.ts";
 import { readContourOf } from "./contour-subprogram.ts";
 import { cycleValues } from "./cycle-values.ts";
 import { drillOnAxis, isDrilling } from "./drill-run.ts";
@@ -17,31 +14,28 @@ import type { UnknownReason } from "./known-values.ts";
 import type { Machine } from "./machine.ts";
 import type { Defined } from "./modal.ts";
 import { pointIn } from "./path.ts";
-import { unlikelyFeeds, foreignParameters, lineOfParameter, noTool } from "./preconditions.ts";
-import type { Operation, TextLine } from "./run-types.ts";
+import { foreignParameters, lineOfParameter, noTool } from "./preconditions.ts";
+import { perform } from "./perform.ts";
+import type { TextLine } from "./run-types.ts";
 import { callNamed } from "./program-calls.ts";
-import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
+import { countedPoint } from "./shifted-plan.ts";
 import { stockAtCall } from "./stock-at-call.ts";
 import { mustTurn } from "./spindle-start.ts";
 import { startUnknown } from "./turn-run.ts";
-import { threadWarnings } from "./thread-warnings.ts";
-import { judgeOf, triedOffers } from "./tried.ts";
 import { actingCycle, actsAtOnce, isSilent } from "./unproved-blocks.ts";
 import { rankTools } from "./which-tool.ts";
 
-const nothing: Plan = empty([]);
-
-const unique = (issues: readonly Issue[]) => [...new Map(issues.map((i) => [JSON.stringify([i.code, i.at ?? "", i.data]), i])).values()];
-
 interface Read extends Pick<Given, "contour"> {
-  /** False for what a cycle says of its contour when that was told at its blocks, or follows from one that can not be read. */
-  isNews(issue: Issue): boolean;
+  /** What was told of the contour at its blocks; null where what else is wrong with it follows from one that can not be read. */
+  readonly told: readonly Issue["code"][] | null;
   /** Of each segment, in programmed order: its block, and the number of its element there. */
   readonly places: readonly { readonly block: number; readonly element: number }[];
 }
 
 /** That none is named, or that it can not be read, is told where it is met. */
-const NO_CONTOUR: Read = { contour: null, isNews: () => false, places: [] };
+const NO_CONTOUR: Read = { contour: null, told: null, places: [] };
+/** A cycle that follows none. */
+const OWN_CONTOUR: Read = { contour: null, told: [], places: [] };
 
 /** The contour that cycle 14 names, with its issues said at their blocks. */
 function givenContour(machine: Machine, cycle: number, index: number, operation: number): Read {
@@ -73,8 +67,8 @@ function givenContour(machine: Machine, cycle: number, index: number, operation:
   const segments = read.length === 1 ? only?.contour.segments ?? [] : read.flatMap((r) => r?.contour.segments ?? []);
   const places = read.flatMap((r) => r?.contour.elements.map((element) => ({ element, block: r.blocks[element - 1] ?? index })) ?? []);
   const isTroubled = read.some((r) => r?.isTroubled ?? true);
-  const told = new Set(read.flatMap((r) => r?.contour.issues ?? []).map((i) => i.code));
-  return { contour: segments.length > 0 ? segments : null, isNews: ({ code }) => !isTroubled && !told.has(code), places };
+  const told = isTroubled ? null : read.flatMap((r) => r?.contour.issues ?? []).map((i) => i.code);
+  return { contour: segments.length > 0 ? segments : null, told, places };
 }
 
 /** What a cycle says of a segment of its contour, with the number and the block of that element; everything else at the call. */
@@ -97,10 +91,16 @@ function inProgram<F extends Issue | ProgramIssue>(
  * A part of a program that calls no tool is shown all the same, with the tool of the table that makes most of its contour;
  * that no tool is called has been said, as an error.
  */
-function standIn(machine: Machine, cycle: Cycle, values: Values<Params> | null, given: Given, start: Pt, index: number): Tool | null {
-  if (!values || (cycle.contour === "free" && !given.contour)) return null;
-  const best = rankTools(cycle, values, given, { start, feedUnit: machine.feedUnit, autoFeed: machine.now.toolFeed, stock: null },
-    machine.shop.tools)[0]?.tool;
+function standIn(machine: Machine, cycle: Cycle, given: Defined["values"], contour: Given["contour"], at: Pt, index: number): Tool | null {
+  const { values } = cycleValues(machine, cycle, given);
+  if (!values || (cycle.contour === "free" && !contour)) return null;
+  const start = countedPoint(at, machine.now.datum);
+  const best = rankTools(cycle, values, { contour, start }, {
+    start,
+    feedUnit: machine.feedUnit,
+    autoFeed: machine.now.toolFeed,
+    stock: null,
+  }, machine.shop.tools)[0]?.tool;
   if (best) machine.log.say(issue("betterTool", "info", { tool: best.T, name: best.NAME }, "tool"), index);
   return best ?? null;
 }
@@ -154,52 +154,18 @@ export function callCycle(machine: Machine, index: number): void {
   else mustTurn(machine, index);
   if (!machine.roomForOperation(index)) return;
   const operation = machine.log.operations.length;
-  const counted = countedPoint(start, machine.now.datum);
-  const { isNews, places, contour } = cycle.contour === "free"
-    ? givenContour(machine, cycle.number, index, operation)
-    : { contour: null, isNews: () => true, places: [] };
-  const given: Given = { contour, start: counted };
-  const read = cycleValues(machine, cycle, defined.values);
-  const { values } = read;
-  const issues = read.issues.filter((i) => i.code !== "missing" || !defined.troubled.has(i.at ?? ""));
-  const tool = machine.now.tool ?? standIn(machine, cycle, values, given, counted, index);
+  const { places, contour, told } = cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : OWN_CONTOUR;
+  const tool = machine.now.tool ?? standIn(machine, cycle, defined.values, contour, start, index);
   if (!tool) return;
-  const stock = stockAtCall(machine)?.map((ring) => ring.map((p) => countedPoint(p, machine.now.datum))) ?? null;
-  const setting = {
-    tool,
-    start: counted,
-    feedUnit: machine.feedUnit,
-    autoFeed: machine.now.toolFeed,
-    stock,
-    leavesOutAir: machine.traced !== null,
-  };
-  const plan = values && (cycle.contour === "own" || given.contour) ? cycle.plan(values, setting, given) : nothing;
-  const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
-  // What a tool that was never called would do wrong is no fault of the program.
-  const planned = machine.now.tool ? plan.issues : [];
-  const turning = threadWarnings(cycle, plan, machine.now.spindle, machine.shop.rapid);
-  const found = unique([...issues, ...outlined, ...planned, ...turning]);
-  const said = found.filter((i) => i.at !== "contour" || isNews(i));
-  const all = triedOffers(cycle.params, read.partial, said, judgeOf(cycle, machine.now.tool ? setting : null, given));
-  const feeds = values && plan !== nothing
-    ? unlikelyFeeds(cycle, values, plan.moves, machine, (v) => cycle.plan(v, setting, given).moves)
-    : [];
-  perform(machine, {
-    cycle: cycle.number,
-    defined,
-    start,
-    tool,
-    plan: shiftedPlan(plan, machine.now.datum),
-    issues: found,
-    call: values && { values, given, autoFeed: machine.now.toolFeed, start: counted, datum: machine.now.datum },
-    ...(contour && { contourLines: places.map(({ block }) => lineAt(machine, block)) }),
-  }, index);
+  const answer = answerTo(machine, { cycle, defined, contour, told, start, tool, stock: stockAtCall(machine) });
+  const contourLines = contour && { contourLines: places.map(({ block }) => lineAt(machine, block)) };
+  perform(machine, { cycle: cycle.number, defined, answer, start, tool, ...contourLines }, index);
   const where = machine.blocks[defined.index]?.raw ?? "";
-  for (const i of [...all, ...feeds]) {
+  for (const i of answer.said) {
     const parameter = i.at?.startsWith("Q") ? i.at : null;
-    const { said, block } = inProgram(i, places, index);
+    const placed = inProgram(i, places, index);
     if (parameter) machine.log.say(i, defined.index, lineOfParameter(where, parameter), operation);
-    else machine.log.say(said, block, 0, operation);
+    else machine.log.say(placed.said, placed.block, 0, operation);
   }
 }
 
@@ -207,33 +173,6 @@ export function callCycle(machine: Machine, index: number): void {
 function lineAt(machine: Machine, block: number): TextLine {
   const { line, file } = machine.log.placeOf(block);
   return { line, ...(file !== undefined && { file }) };
-}
-
-type Called = Pick<Operation, "cycle" | "start" | "tool" | "plan" | "issues" | "call" | "contourLines"> & { readonly defined: Defined };
-
-/** Runs the moves of a plan and notes the operation. */
-function perform(machine: Machine, { defined, ...called }: Called, index: number): void {
-  const { start, tool, plan } = called;
-  const firstStep = machine.log.steps.length;
-  let [from, seconds] = [start, 0];
-  for (const move of plan.moves) {
-    seconds += machine.step(from, move, index, machine.log.operations.length, plan.tool ?? tool);
-    from = move.to;
-  }
-  machine.setPlace({ at: { x: toDiameter(from.r), y: null, z: from.z }, last: null });
-  const { file, ...definition } = machine.log.placeOf(defined.index);
-  machine.log.operations.push({
-    block: machine.log.numbers[index] ?? 0,
-    definedIn: definition.block,
-    definedLine: definition.line,
-    ...(file !== undefined && { definedFile: file }),
-    ...called,
-    feedUnit: machine.feedUnit,
-    spindle: machine.now.spindle,
-    seconds,
-    firstStep,
-    lastStep: machine.log.steps.length - 1,
-  });
 }
 
 /** The parameters of a definition as they are now, and why some are not known. */

@@ -1,7 +1,7 @@
 import type { Issue } from "../kernel/issue.ts";
 import type { FeedUnit, Move } from "../kernel/move.ts";
 import type { Pt } from "../kernel/point.ts";
-import { secondsOf } from "../kernel/time.ts";
+import type { Step } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { INCH, type Feed } from "../kernel/units.ts";
 import type { Block, Program } from "../nc/program.ts";
@@ -18,6 +18,7 @@ import type { Guide } from "./plane-chain.ts";
 import type { Control, Mill } from "./plane-types.ts";
 import type { PlanMemory } from "./plan-memory.ts";
 import { fileKey, type ProgramFiles } from "./program-files.ts";
+import { stepOf } from "./step-of.ts";
 import type { TracedBlank, Tracing } from "./tracing.ts";
 import { isSkipped, unitFrom, type Unit } from "./units.ts";
 
@@ -37,7 +38,7 @@ export interface Shop {
   /** Traces the blank that a program asks to be traced; without it the cycles are planned as if it did not. */
   readonly tracing?: Tracing;
   /** What the plans of the run before are known by; without it each cycle is planned anew. */
-  readonly memory?: Pick<PlanMemory, "of">;
+  readonly memory?: Omit<PlanMemory, "next">;
   /** True to leave out the blocks that are marked with `/`. */
   readonly skipMarked?: boolean;
 }
@@ -247,11 +248,16 @@ export class Machine {
     return !this.full;
   }
 
+  /** How many moves a tool may still turn. */
+  get room(): number {
+    const turned = this.log.steps.length;
+    return Math.min(MOST_TURNED, MOST_MOVES - this.log.milled.length) - turned;
+  }
+
   /** Whether turning and milling together may move once more; ends the run when not. */
   roomForMove(index: number): boolean {
-    const turned = this.log.steps.length;
-    const limit = turned < MOST_TURNED ? MOST_MOVES : MOST_TURNED;
-    if (turned < MOST_TURNED && turned + this.log.milled.length < MOST_MOVES) return true;
+    if (this.room > 0) return true;
+    const limit = this.log.steps.length < MOST_TURNED ? MOST_MOVES : MOST_TURNED;
     this.stop(programIssue("tooManyMoves", "error", { limit }), index);
     return false;
   }
@@ -265,27 +271,25 @@ export class Machine {
     this.setPlace({ brought: null });
   }
 
-  /** Adds one motion of the current tool, or of that tool as a cycle adapts it. */
-  step(from: Pt, move: Move, index: number, operation: number | null, adapted: Tool | null = this.now.tool): number {
-    if (!this.roomForMove(index)) return 0;
-    if (!adapted) return 0;
-    const spindle = this.now.spindle ?? { kind: "constant" as const, speed: 0 };
-    const seconds = secondsOf(from, move, spindle, this.shop.rapid);
+  /** Adds one motion of the current tool. */
+  step(from: Pt, move: Move, index: number, operation: number | null): void {
+    const { tool } = this.now;
+    if (!this.roomForMove(index) || !tool) return;
+    const motion = { from, move, tool, block: this.log.numbers[index] ?? 0, operation, ...this.log.lineOf(index) };
+    this.take([stepOf(motion, this.now.spindle, this.shop.rapid)], index);
+  }
+
+  /** Adds motions of the tool, for which there is room: the first of them goes on from where it was brought. */
+  take(steps: readonly Step[], index: number): void {
+    const [first, ...others] = steps;
+    if (!first) return;
     this.log.countsFrom(this.now.datum.x, this.now.datum.z);
     this.log.turnsAt(this.now.spindle);
     const { brought } = this.place;
-    this.log.steps.push({
-      from,
-      move,
-      tool: adapted,
-      block: this.log.numbers[index] ?? 0,
-      operation,
-      seconds,
-      ...this.log.lineOf(index),
-      ...(brought !== null && { broughtBy: this.log.numbers[brought] ?? 0 }),
-    });
+    this.log.steps.push(brought === null ? first : { ...first, broughtBy: this.log.numbers[brought] ?? 0 });
+    for (const step of others) this.log.steps.push(step);
     if (brought !== null) this.setPlace({ brought: null });
-    this.log.stepBlocks.push(this.log.inProgram(index));
-    return seconds;
+    const block = this.log.inProgram(index);
+    for (const _ of steps) this.log.stepBlocks.push(block);
   }
 }

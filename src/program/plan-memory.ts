@@ -1,32 +1,93 @@
 import type { Cycle } from "../cycles/define.ts";
 
-/** Remembers what cycles make of values from one run to the next: the same question has the same answer. */
+/** Remembers what is made of values from one run to the next: the same question has the same answer. */
 export interface PlanMemory {
   /** The cycle, whose plans and outlines are made once. */
   of(cycle: Cycle): Cycle;
-  /** Another run begins: what the one before has not asked for is forgotten. */
+  /**
+   * What is made of a question, which its text tells apart from all others; it is made with a name that no other answer has. `size` says
+   * how many objects an answer holds; answers of runs long ago are kept as long as all of them are small.
+   */
+  once<Answer>(question: string, make: (name: string) => Answer, size?: (answer: Answer) => number): Answer;
+  /** A value that never changes, as the same object each time: the first that was written as this one is. */
+  same<Value extends object>(value: Value): Value;
+  /** What stands for such a value in questions. */
+  nameOf(value: object): string;
+  /** Another run begins. What the one before has asked for is kept in any case, older answers within bounds: steps are taken back. */
   next(): void;
 }
 
-/** Begins to remember. Questions are told apart by their values, written as JSON. */
+interface Named {
+  readonly value: object;
+  readonly name: string;
+}
+
+interface Kept {
+  readonly answer: unknown;
+  readonly size: number;
+  /** The run that asked for it last. */
+  run: number;
+}
+
+/** Runs after which an answer that nobody asked for is forgotten, and what all answers together may hold, objects. */
+const [MOST_RUNS, MOST_KEPT] = [20, 250_000];
+
+/** A number as JSON, in which −0 is another one than 0. */
+export const exactly = (n: number): string => (Object.is(n, -0) ? "-0" : String(n));
+
+/** Begins to remember. Questions to cycles are told apart by their values, written as JSON. */
 export function planMemory(): PlanMemory {
-  let [now, before] = [new Map<string, unknown>(), new Map<string, unknown>()];
-  const once = <Asked extends readonly unknown[], Answer>(name: string, make: (...asked: Asked) => Answer) => (...asked: Asked): Answer => {
-    const key = `${name} ${JSON.stringify(asked)}`;
-    const known = now.has(key) ? now.get(key) : before.has(key) ? before.get(key) : make(...asked);
-    now.set(key, known);
-    return known as Answer;
-  };
+  /** The answer that was asked for longest ago comes first. */
+  const kept = new Map<string, Kept>();
+  const named = new WeakMap<object, Named>();
   const cycles = new WeakMap<Cycle, Cycle>();
+  let [run, held, names] = [0, 0, 0];
+
+  const once: PlanMemory["once"] = <Answer>(
+    question: string,
+    make: (name: string) => Answer,
+    size: (answer: Answer) => number = () => 1,
+  ): Answer => {
+    const known = kept.get(question);
+    if (known?.run === run) return known.answer as Answer;
+    if (known) {
+      known.run = run;
+      kept.delete(question);
+      kept.set(question, known);
+      return known.answer as Answer;
+    }
+    names += 1;
+    const answer = make(`#${names}`);
+    const made = { answer, size: size(answer), run };
+    held += made.size;
+    kept.set(question, made);
+    return answer;
+  };
+  const asked =
+    <Asked extends readonly unknown[], Answer>(name: string, make: (...values: Asked) => Answer) => (...values: Asked): Answer =>
+      once(`${name} ${JSON.stringify(values)}`, () => make(...values));
+  const first = (value: object): Named => {
+    const known = named.get(value) ?? once(`value ${JSON.stringify(value)}`, (name) => ({ value, name }));
+    named.set(value, known);
+    return known;
+  };
   return {
     of(cycle) {
       const known = cycles.get(cycle)
-        ?? { ...cycle, plan: once(`plan ${cycle.number}`, cycle.plan), outline: once(`outline ${cycle.number}`, cycle.outline) };
+        ?? { ...cycle, plan: asked(`plan ${cycle.number}`, cycle.plan), outline: asked(`outline ${cycle.number}`, cycle.outline) };
       cycles.set(cycle, known);
       return known;
     },
+    once,
+    same: <Value extends object>(value: Value) => first(value).value as Value,
+    nameOf: (value) => first(value).name,
     next() {
-      [now, before] = [new Map(), now];
+      for (const [question, answer] of kept) {
+        if (answer.run === run || (answer.run > run - MOST_RUNS && held <= MOST_KEPT)) break;
+        kept.delete(question);
+        held -= answer.size;
+      }
+      run += 1;
     },
   };
 }

@@ -59,9 +59,11 @@ export function run(program: Program, shop: Shop): Run {
     spindles: machine.log.spindles,
     unproved: machine.log.unproved,
     issues: machine.log.allFindings(),
-    seconds: [...machine.log.steps, ...machine.log.milled].reduce((sum, s) => sum + s.seconds, 0),
+    seconds: secondsOfAll(machine.log.milled, secondsOfAll(machine.log.steps, 0)),
   };
 }
+
+const secondsOfAll = (steps: readonly { readonly seconds: number }[], before: number) => steps.reduce((sum, s) => sum + s.seconds, before);
 
 /** True for what only turns: its spindle, and its cycles. */
 const isTurned = ({ statement: s }: Block) => s.kind === "spin" || (s.kind === "cycle" && cycleByNumber(s.cycle) !== undefined);

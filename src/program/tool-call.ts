@@ -54,7 +54,7 @@ function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
   const refused = machine.shop.refused?.get(Number(wanted));
   const tool = refused ? undefined : (find(machine.shop.tools, wanted) ?? drillIn(machine.shop.mills ?? [], wanted));
   machine.setPlace({ sure: { x: false, z: false }, brought: null, last: null });
-  machine.set({ compensation: "R0", tool: tool ?? null, toolRefused: !tool, corrections: {} });
+  machine.set({ compensation: "R0", tool: tool ? asBefore(machine, tool) : null, toolRefused: !tool, corrections: {} });
   if (refused && typeof wanted === "number") { for (const i of refused) machine.log.say(i, index); }
   else if (!tool && (machine.now.turning || turnsLater(machine, index)))
     machine.log.say(programIssue("toolUnknown", "error", { tool: String(wanted) }, "tool"), index);
@@ -63,6 +63,9 @@ function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
   const deltas = [s.deltaLength, s.deltaRadius].some((d) => d !== null && d !== 0);
   if (deltas && tool && machine.now.turning) machine.log.leaveUnproved("DL DR", index);
 }
+
+/** The same tool as in the run before is the same object. */
+const asBefore = ({ shop }: Machine, tool: Tool): Tool => shop.memory?.same(tool) ?? tool;
 
 /**
  * A tool of another table is no fault while only milling follows: with a mill of known radius until something is turned without a tool
@@ -137,5 +140,5 @@ export function correctTool(machine: Machine, s: StatementOf<"turnCorrection">, 
   };
   for (const { name } of s.words) if (name !== "DZL" && name !== "DXL") machine.log.leaveUnproved(name, index);
   machine.set({ corrections: { ...machine.now.corrections, [s.system]: { z: word("DZL"), r: word("DXL") } } });
-  machine.set({ tool: corrected(machine.now.tool, machine.now.corrections) });
+  machine.set({ tool: asBefore(machine, corrected(machine.now.tool, machine.now.corrections)) });
 }

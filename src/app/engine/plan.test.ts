@@ -41,20 +41,44 @@ function changed(text: string, which: number, by: number): string {
   return `${text.slice(0, place.index)}${Math.abs(Number(place[0]) + by).toFixed(3)}${text.slice(place.index + place[0].length)}`;
 }
 
-test.each(["flange.h", "shaft.h", "turn-blank.h"])("planned bit by bit a changed %s is what it is when it is planned anew", (name) => {
-  fc.assert(
-    fc.property(fc.array(fc.tuple(fc.nat(997), fc.integer({ min: -3000, max: 3000 })), { minLength: 2, maxLength: 4 }), (changes) => {
+/** A line of a program goes away, or another one comes before it. */
+function otherLines(text: string, which: number, ...added: readonly string[]): string {
+  const lines = text.split("\n");
+  lines.splice(2 + (which % Math.max(1, lines.length - 4)), added.length === 0 ? 1 : 0, ...added);
+  return lines.join("\n");
+}
+
+/** The text after one more change; the last of `before` is the one now. */
+function edited(before: readonly string[], [kind, which, by]: readonly [string, number, number]): string {
+  const text = before.at(-1) ?? "";
+  if (kind === "undo") return before[Math.max(0, before.length - 2 - (which % 3))] ?? text;
+  if (kind === "drop") return otherLines(text, which);
+  if (kind === "note") return otherLines(text, which, `; ${by}`);
+  if (kind === "move") return otherLines(text, which, `L Z${by < 0 ? "-" : "+"}${Math.abs(by / 917).toFixed(3)} F0.21`);
+  if (kind === "shift") return otherLines(text, which, "TRANS DATUM AXIS Z-0");
+  return changed(text, which, by / 917);
+}
+
+const edits = fc.tuple(fc.constantFrom("number", "number", "number", "undo", "drop", "note", "move", "shift"), fc.nat(997),
+  fc.integer({ min: -3000, max: 3000 }));
+
+test.each(["flange.h", "shaft.h", "turn-blank.h", "turn-traced.h", "turn-datum.h", "shoulder-inch.h"])(
+  "planned bit by bit a changed %s is what it is when it is planned anew",
+  (name) => {
+    fc.assert(fc.property(fc.array(edits, { minLength: 2, maxLength: 6 }), (changes) => {
       const plan = planner();
-      let text = program(name);
-      plan(requestOf(text));
-      for (const [which, by] of changes) {
-        text = changed(text, which, by / 917);
-        expect(plan(requestOf(text))).toEqual(planned(requestOf(text)));
+      const texts = [program(name)];
+      plan(requestOf(program(name)));
+      for (const change of changes) {
+        texts.push(edited(texts, change));
+        // Each request of the page comes to the worker as a copy.
+        const request = structuredClone(requestOf(texts.at(-1) ?? ""));
+        expect(plan(request)).toEqual(planned(request));
       }
-    }),
-    { numRuns: 8 },
-  );
-}, 60_000);
+    }), { numRuns: 8 });
+  },
+  60_000,
+);
 
 test("what a change leaves as it is is not planned again", () => {
   const plan = planner();
@@ -63,4 +87,30 @@ test("what a change leaves as it is is not planned again", () => {
   const last = text.lastIndexOf("Q483=");
   const after = plan(requestOf(`${text.slice(0, last)}Q483=+0.31${text.slice(last).replace(/^Q483=\S+/, "")}`)).run.operations;
   expect(after.map(({ plan: { moves } }, i) => moves === before[i]?.plan.moves)).toEqual(before.map((_, i) => i < before.length - 1));
+});
+
+test("an unchanged operation keeps its very steps, also when a change is taken back", () => {
+  const plan = planner();
+  const text = program("flange.h");
+  const other = text.replace(/Q460=\+\d+(?![\s\S]*Q460=)/, "$&.37");
+  const [before, between, again] = [text, other, text].map((each) => plan(structuredClone(requestOf(each))).run);
+  const keptBy = (run: typeof before) =>
+    before?.operations.map(({ firstStep, lastStep }) =>
+      before.steps.slice(firstStep, lastStep + 1).every((s, i) => s === run?.steps[firstStep + i])
+    );
+  expect(keptBy(between)).toEqual(before?.operations.map((_, i, all) => i < all.length - 1));
+  expect(keptBy(again)).toEqual(before?.operations.map(() => true));
+  expect(before?.operations.length).toBeGreaterThan(3);
+});
+
+test("a tool that changes is another tool, and one that comes as a copy is the same", () => {
+  const plan = planner();
+  const request = requestOf(program("flange.h"));
+  const first = plan(structuredClone(request)).run.operations[0];
+  expect(plan(structuredClone(request)).run.operations[0]?.tool).toBe(first?.tool);
+  const tools = shippedTools.map((tool) => ({ ...tool, RS: (tool.RS + 0.013) as typeof tool.RS }));
+  const next = { ...request, table: { ...request.table, tools } };
+  const other = plan(next);
+  expect(other).toEqual(planned(next));
+  expect(other.run.operations[0]?.tool.RS).toBeCloseTo((first?.tool.RS ?? 0) + 0.013, 9);
 });

@@ -1,0 +1,93 @@
+import type { Cycle, Given } from "../cycles/define.ts";
+import type { Issue } from "../kernel/issue.ts";
+import type { Plan } from "../kernel/plan.ts";
+import type { Pt, Ring } from "../kernel/point.ts";
+import { empty } from "../kernel/strategy/leveled.ts";
+import type { Tool } from "../kernel/tool.ts";
+import { cycleValues } from "./cycle-values.ts";
+import type { ProgramIssue } from "./issue.ts";
+import type { Machine } from "./machine.ts";
+import type { Defined } from "./modal.ts";
+import { exactly, type PlanMemory } from "./plan-memory.ts";
+import { unlikelyFeeds } from "./preconditions.ts";
+import type { Operation } from "./run-types.ts";
+import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
+import { threadWarnings } from "./thread-warnings.ts";
+import { judgeOf, triedOffers } from "./tried.ts";
+
+/** A cycle as it is called: beside what is in force, all that its path hangs on. */
+interface CalledCycle extends Pick<Given, "contour"> {
+  readonly cycle: Cycle;
+  readonly defined: Pick<Defined, "values" | "troubled">;
+  /** What was told of the contour at its blocks; null where what else is wrong with it follows from that. */
+  readonly told: readonly Issue["code"][] | null;
+  /** Theoretical tip on the workpiece. */
+  readonly start: Pt;
+  /** The tool that was called, or one that stands in for it. */
+  readonly tool: Tool;
+  /** What stands in the chuck, on the workpiece; null where nobody knows. */
+  readonly stock: readonly Ring[] | null;
+}
+
+/** What comes of a call, wherever it stands in the program. */
+export interface CallAnswer extends Pick<Operation, "call" | "plan"> {
+  /** What is wrong with values, tool and plan. */
+  readonly found: readonly Issue[];
+  /** What of it, and of the feeds, is told. */
+  readonly said: readonly (Issue | ProgramIssue)[];
+  /** What it is known by; absent where nothing is remembered. */
+  readonly name?: string;
+}
+
+const nothing: Plan = empty([]);
+
+const unique = (issues: readonly Issue[]) => [...new Map(issues.map((i) => [JSON.stringify([i.code, i.at ?? "", i.data]), i])).values()];
+
+function answer(machine: Machine, { cycle, defined, contour, told, start: at, tool, stock: standing }: CalledCycle): CallAnswer {
+  const { datum, toolFeed: autoFeed, spindle, tool: called } = machine.now;
+  const start = countedPoint(at, datum);
+  const given: Given = { contour, start };
+  const { values, partial, issues } = cycleValues(machine, cycle, defined.values);
+  const stock = standing?.map((ring) => ring.map((p) => countedPoint(p, datum))) ?? null;
+  const setting = { tool, start, feedUnit: machine.feedUnit, autoFeed, stock, leavesOutAir: machine.traced !== null };
+  const plan = values && (cycle.contour === "own" || contour) ? cycle.plan(values, setting, given) : nothing;
+  const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
+  // What a tool that was never called would do wrong is no fault of the program.
+  const planned = called ? plan.issues : [];
+  const turning = threadWarnings(cycle, plan, spindle, machine.shop.rapid);
+  const own = issues.filter((i) => i.code !== "missing" || !defined.troubled.has(i.at ?? ""));
+  const found = unique([...own, ...outlined, ...planned, ...turning]);
+  const news = found.filter((i) => i.at !== "contour" || (told !== null && !told.includes(i.code)));
+  const offered = triedOffers(cycle.params, partial, news, judgeOf(cycle, called ? setting : null, given));
+  const feeds = values && plan !== nothing
+    ? unlikelyFeeds(cycle, values, plan.moves, machine, (v) => cycle.plan(v, setting, given).moves)
+    : [];
+  return {
+    plan: shiftedPlan(plan, datum),
+    found,
+    said: [...offered, ...feeds],
+    call: values && { values, given, autoFeed, start, datum },
+  };
+}
+
+const place = ({ z, r }: Pt): string => `${exactly(z)} ${exactly(r)}`;
+
+/** All that an answer hangs on. */
+function questionOf(machine: Machine, memory: Pick<PlanMemory, "nameOf">, asked: CalledCycle): string {
+  const { cycle, defined, contour, told, start, tool, stock } = asked;
+  const { inch, datum, toolFeed, perRevolution, spindle, tool: called } = machine.now;
+  return [
+    `call ${cycle.number} ${place(start)} ${exactly(datum.x)} ${exactly(datum.z)} ${exactly(datum.y)}`,
+    JSON.stringify([inch, toolFeed, perRevolution, machine.shop.rapid, spindle, called !== null, machine.traced !== null, told]),
+    JSON.stringify([[...defined.values], [...defined.troubled], contour]),
+    memory.nameOf(tool),
+    stock ? memory.nameOf(stock) : "",
+  ].join("\n");
+}
+
+/** What comes of a call: worked out, or known from the run before. */
+export function answerTo(machine: Machine, asked: CalledCycle): CallAnswer {
+  const { memory } = machine.shop;
+  if (!memory) return answer(machine, asked);
+  return memory.once(questionOf(machine, memory, asked), (name) => ({ ...answer(machine, asked), name }), ({ plan }) => plan.moves.length);
+}

@@ -1,0 +1,18 @@
+import type { Spindle, Step } from "../kernel/step.ts";
+import { secondsOf } from "../kernel/time.ts";
+
+/** What moves along, and the block that says so. */
+export type Motion = Omit<Step, "seconds" | "broughtBy">;
+
+const STILL: Spindle = { kind: "constant", speed: 0 };
+
+/** A motion with the time that it takes. `rapid` in mm/min. */
+export const stepOf = ({ from, move, tool, block, operation, ...line }: Motion, spindle: Spindle | null, rapid: number): Step => ({
+  from,
+  move,
+  tool,
+  block,
+  operation,
+  seconds: secondsOf(from, move, spindle ?? STILL, rapid),
+  ...line,
+});
