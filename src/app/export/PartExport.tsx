@@ -74,9 +74,10 @@ function Bodies({ words: t, outcome: { run, simulation }, stem, say }: Part) {
   const hint = (name: BodyName) => name === "stock" ? t.bodyHint.stock(count(position.step), count(run.steps.length)) : t.bodyHint[name];
   const save = (name: BodyName, body: OfferedBody) => {
     if (!("rings" in body)) return;
-    const file = `${stem}_${t.file[name]}.stl`, { bytes, volume } = bodyStl(body.rings, `${stem} ${name}`);
+    const file = `${stem}_${t.file[name]}.stl`, { bytes, volume, hasRings } = bodyStl(body, `${stem} ${name}`);
     downloadBytes(bytes, file);
-    say(t.saved(file, formatNumber(language, volume, 2)));
+    const saved = t.saved(file, formatNumber(language, volume, 2));
+    say(hasRings ? `${saved} ${t.rings}` : saved);
   };
   return (
     <section aria-label={t.bodies}>

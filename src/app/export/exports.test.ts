@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import DxfParser from "dxf-parser";
 import { expect, test } from "vitest";
 import { at, part } from "../../kernel/point.ts";
@@ -59,7 +60,7 @@ function made(body: string) {
   });
   return { ran, simulation, bodies: bodiesOf(ran, simulation, { step: ran.steps.length, fraction: 0 }) };
 }
-const volume = (body: OfferedBody) => ("rings" in body ? volumeOf(bodyMesh(body.rings)) : NaN);
+const volume = (body: OfferedBody) => ("rings" in body ? volumeOf(bodyMesh(body).mesh) : NaN);
 /** A disc, mm³. */
 const disc = (r: number, long: number) => Math.PI * r * r * long;
 
@@ -99,7 +100,8 @@ test("the contour of a cycle goes out as DXF and comes in again", () => {
 });
 
 test("a part as thin as a pin has its volume too, as the file says it", () => {
-  const pin = [at(-13.7, 0), at(0.3, 0), at(0.3, 1.45), at(-13.7, 1.45)], { bytes, volume: said } = bodyStl([pin], "pin");
+  const pin = [at(-13.7, 0), at(0.3, 0), at(0.3, 1.45), at(-13.7, 1.45)],
+    { bytes, volume: said } = bodyStl({ rings: [pin], threads: null }, "pin");
   const view = new DataView(bytes.buffer), count = view.getUint32(80, true);
   let sum = 0;
   for (let t = 0; t < count; t += 1) {
@@ -109,4 +111,30 @@ test("a part as thin as a pin has its volume too, as the file says it", () => {
   }
   expect(sum / 1000 / said).toBeCloseTo(1, 5);
   expect(Math.abs(sum / disc(1.45, 14) - 1)).toBeLessThan(0.001);
+});
+
+test("threads leave as helices: half a lead on, a cut through the finished part shows grooves where crests were", () => {
+  const text = readFileSync("tests/programs/cycle-831.h", "utf8"), ran = run(parse(text), { tools: shippedTools, rapid: 8_000 });
+  const { blank, stated, steps, operations, unproved } = ran, simulation = simulate({ blank, stated, steps, operations, unproved });
+  const { part: whole, stock } = bodiesOf(ran, simulation, { step: steps.length, fraction: 0 });
+  if (!("rings" in whole) || !("rings" in stock)) throw new Error("there are bodies");
+  const { mesh: { positions }, hasRings } = bodyMesh(whole);
+  expect(hasRings).toBe(false);
+  expect(bodyMesh({ ...whole, rings: [...whole.rings, [at(-5, 1), at(-4, 1), at(-4, 30)]] }).hasRings).toBe(true);
+  /** Places of roots along one line of the surface, which a half plane cuts. */
+  const roots = (isUp: boolean) => {
+    const found: number[] = [];
+    for (let i = 0; i < positions.length; i += 3) {
+      const [x = 0, y = 0, z = 0] = positions.subarray(i, i + 3);
+      if (Math.abs(y) < 1e-6 && x > 0 === isUp && Math.abs(Math.abs(x) - 14.36) < 0.03 && z > -20) found.push(z);
+    }
+    const last = found.sort((a, b) => a - b).filter((z, i) => i === 0 || z - (found[i - 1] ?? 0) > 1);
+    return last.map((z) => ((z % 3.5) + 3.5) % 3.5);
+  };
+  const [up, down] = [roots(true), roots(false)];
+  expect(up.length).toBeGreaterThan(3);
+  expect(down.length).toBeGreaterThan(3);
+  const apart = ((((down[0] ?? 0) - (up[0] ?? 0)) % 3.5) + 3.5) % 3.5;
+  expect(apart).toBeCloseTo(1.75, 1);
+  expect(volume(stock) / volume(whole)).toBeCloseTo(1, 2);
 });

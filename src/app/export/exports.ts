@@ -2,9 +2,11 @@ import type { Segment } from "../../kernel/point.ts";
 import type { DxfLayer } from "../../program/write-dxf.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { PlayPosition, Simulation } from "../../sim/simulation.ts";
-import { stockAt } from "../../sim/stock.ts";
+import { playerOf } from "../../sim/stock.ts";
 import type { Ring } from "../../kernel/point.ts";
-import { finishedBody, isBody } from "../../view/solid/bodies.ts";
+import { finishedBody, isBody, statedSteps, withoutThreads } from "../../view/solid/bodies.ts";
+import type { WrittenBody } from "../../view/solid/export.ts";
+import { runThreads, type ThreadedStock } from "../../view/solid/thread-cuts.ts";
 
 /** Bodies that can be written, in the order in which they are offered. */
 export const BODIES = ["part", "blank", "stock"] as const;
@@ -13,9 +15,10 @@ export type BodyName = (typeof BODIES)[number];
 /** Why something is not there to be written. */
 export type ExportLack = "noBlank" | "noTurning" | "nothingLeft" | "noCycle" | "noContour";
 
-export type OfferedBody = { readonly rings: readonly Ring[] } | { readonly lack: ExportLack };
+export type OfferedBody = WrittenBody | { readonly lack: ExportLack };
 
-const offered = (rings: readonly Ring[], lack: ExportLack): OfferedBody => (isBody(rings) ? { rings } : { lack });
+const offered = (rings: readonly Ring[], lack: ExportLack, threads: ThreadedStock | null = null): OfferedBody =>
+  isBody(rings) ? { rings, threads } : { lack };
 
 /** The bodies of a run at a position of its playback, or why there is none. */
 export function bodiesOf(run: Run, simulation: Simulation, position: PlayPosition): Readonly<Record<BodyName, OfferedBody>> {
@@ -23,10 +26,13 @@ export function bodiesOf(run: Run, simulation: Simulation, position: PlayPositio
     const lack = run.steps.length === 0 && run.plane.length > 0 ? "noTurning" : "noBlank";
     return { part: { lack }, blank: { lack }, stock: { lack } };
   }
+  const player = playerOf(simulation), threads = runThreads(run.steps, player.at, statedSteps(simulation));
+  const part = finishedBody(simulation, run.operations), stock = player.at(position);
+  const end = { step: run.steps.length, fraction: 0 };
   return {
-    part: offered(finishedBody(simulation, run.operations), "noCycle"),
+    part: offered(part, "noCycle", threads?.of(part, end, withoutThreads(simulation, run.operations))),
     blank: offered(run.blank, "noBlank"),
-    stock: offered(stockAt(simulation, position), "nothingLeft"),
+    stock: offered(stock, "nothingLeft", threads?.of(stock, position)),
   };
 }
 

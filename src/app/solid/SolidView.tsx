@@ -53,6 +53,7 @@ interface Running {
 function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
   const field = useRef<HTMLDivElement>(null), canvas = useRef<HTMLCanvasElement>(null);
   const [running, run] = useState<Running | null>(null);
+  const [rings, setRings] = useState(false);
   useEffect(() => {
     const [element, drawn] = [field.current, canvas.current];
     const stage = drawn && createStage(drawn);
@@ -60,7 +61,7 @@ function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
       setTrouble("missing");
       return undefined;
     }
-    const eye = createEye(clock, () => reducedMotion(useSettings.getState())), show = createShow(stage, eye, clock);
+    const eye = createEye(clock, () => reducedMotion(useSettings.getState())), show = createShow(stage, eye, clock, setRings);
     const measure = () => {
       const { clientWidth: width, clientHeight: height } = element;
       const buttons = element.querySelector<HTMLElement>(".solid-views");
@@ -89,7 +90,7 @@ function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
       stage.dispose();
     };
   }, [clock, setTrouble]);
-  return { field, canvas, running };
+  return { field, canvas, running, rings };
 }
 
 /** Path and colours as lines in space: where something is told by colour, the path lies faint under it. */
@@ -111,7 +112,7 @@ function Tried({ work, run, lines: shown, state, clock, onDrawn, t, again }: Pro
   const keys = useId(), theme = useTheme();
   const { quarterCut, xDown } = useSettings();
   const [trouble, setTrouble] = useState<Trouble>(null);
-  const { field, canvas, running } = useRunning(clock, setTrouble);
+  const { field, canvas, running, rings } = useRunning(clock, setTrouble);
   useEffect(() => running?.stage.setColours(pageColours(STAGE_COLOURS)), [running, theme]);
   useEffect(() => running?.show.setLook({ quarterCut, xDown }), [running, quarterCut, xDown, theme]);
   useEffect(() => running?.show.setWork(work), [running, work]);
@@ -123,7 +124,6 @@ function Tried({ work, run, lines: shown, state, clock, onDrawn, t, again }: Pro
     onDrawn({ zoom: (factor) => zoom(factor), fit });
     return () => onDrawn(null);
   }, [running, trouble, onDrawn]);
-  const threads = work.steps.some(({ move }) => move.kind === "thread");
   return (
     <>
       <div ref={field} className="solid-field" role="group" tabIndex={trouble ? -1 : 0} aria-label={t.title} aria-describedby={keys}
@@ -131,7 +131,7 @@ function Tried({ work, run, lines: shown, state, clock, onDrawn, t, again }: Pro
       >
         <canvas ref={canvas} role="img" aria-label={t.picture(quarterCut, state)} />
         <p id={keys} className="unseen">{t.keys}</p>
-        {threads && <p className="solid-note small soft">{t.threads}</p>}
+        {rings && <p className="solid-note small soft">{t.threads}</p>}
         <div className="solid-views" role="group" aria-label={t.views}>
           <button type="button" className="button" aria-label={t.quarter} title={t.quarter} aria-pressed={quarterCut}
             onClick={() => changeSettings({ quarterCut: !quarterCut })}

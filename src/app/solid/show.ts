@@ -4,9 +4,12 @@ import type { Tool } from "../../kernel/tool.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { boundsOf, joined } from "../../view/bounds.ts";
 import type { Bounds, Size } from "../../view/camera.ts";
-import { colouredBodies } from "../../view/solid/bodies.ts";
+import { statedSteps } from "../../view/solid/bodies.ts";
 import { chuckParts, toolParts } from "../../view/solid/furniture.ts";
-import { chordsFor, revolved } from "../../view/solid/revolve.ts";
+import { bodiesAt } from "../../view/solid/moment.ts";
+import { chordsFor } from "../../view/solid/revolve.ts";
+import type { ThreadTurning } from "../../view/solid/threaded.ts";
+import { runThreads, type RunThreads } from "../../view/solid/thread-cuts.ts";
 import { tipAt } from "../../view/tip.ts";
 import { stopwatch, type Clock } from "../clock.ts";
 import { stepIndex, type Moving, type Waiting } from "../lathe/moving.ts";
@@ -48,11 +51,16 @@ const SLOW = { ms: 40, pictures: 6, by: 0.7, least: 0.5 } as const;
 /** After so long without a picture everything is drawn sharp, ms. */
 const REST = 160;
 
+/** Flanks of threads: how far they may lie from the true ones, mm, and the most corners of all of them at rest and while it plays. */
+const THREAD = { within: 0.015, resting: 90_000, playing: 30_000 } as const;
+
 const nothingMoves = (): readonly Ring[] => [];
 
-export function createShow(stage: SolidStage, eye: Eye, clock: Clock): Show {
+/** `onRings` is told whether threads are drawn as rings, because they cannot be drawn as helices. */
+export function createShow(stage: SolidStage, eye: Eye, clock: Clock, onRings: (areRings: boolean) => void): Show {
   let work: ShownWork | null = null;
-  let quarterCut = true;
+  let threads: RunThreads | null = null;
+  let [quarterCut, xDown] = [true, false];
   let box: Bounds | null = null;
   let [drawnRings, drawnKey, drawnTool]: [readonly Ring[], string, Tool | null] = [[], "", null];
   let [builtAt, cost] = [-Infinity, 0];
@@ -67,6 +75,15 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock): Show {
     Math.min(devicePixelRatio, PIXELS.ratio, Math.sqrt(PIXELS.most / Math.max(1, width * height)));
   const applySize = () => stage.setSize(canvas.size, canvas.below, sharpRatio(canvas.size) * coarse);
 
+  /** Where X grows downwards the picture is a mirror image, in which a right-handed thread is made left-handed. */
+  const threading = (chords: number): ThreadTurning => ({
+    chords,
+    quarterCut,
+    hand: xDown ? -1 : 1,
+    within: THREAD.within,
+    most: playing() ? THREAD.playing : THREAD.resting,
+  });
+
   /** Builds the bodies of the moment, unless they are the ones that are there. */
   function build(): void {
     changed = false;
@@ -76,17 +93,13 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock): Show {
     const high = box?.high ?? 1, chords = playing() ? Math.min(QUICK, chordsFor(high)) : chordsFor(high);
     const faults = simulation?.findings.filter((f) => f.step < position.step || (f.step === position.step && position.fraction > 0)).length
       ?? 0;
-    const key = [chords, quarterCut, faults, position.step >= work.steps.length].join();
+    const key = [chords, quarterCut, xDown, faults, position.step >= work.steps.length].join();
     if (rings !== drawnRings || key !== drawnKey) {
       const size = box ? Math.max(box.right - box.left, box.high) : 1;
-      const { steel, residual, gouge } = simulation && moving
-        ? colouredBodies(rings, simulation, position, size)
-        : { steel: rings, residual: [], gouge: [] };
-      const turned = (of: readonly Ring[]) => revolved(of, { chords, quarterCut });
-      stage.setBodies([{ role: "steel", solid: turned(steel) }, { role: "residual", solid: turned(residual) }, {
-        role: "gouge",
-        solid: turned(gouge),
-      }]);
+      const moment = { stock: rings, simulation: moving && simulation, threads, position, size };
+      const { bodies, hasRings } = bodiesAt(moment, threading(chords));
+      stage.setBodies(bodies);
+      onRings(hasRings);
       [drawnRings, drawnKey] = [rings, key];
     }
   }
@@ -152,6 +165,8 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock): Show {
     setWork(next) {
       for (const stop of heard) stop();
       work = next;
+      const { moving, simulation } = next;
+      threads = moving && simulation ? runThreads(next.steps, moving.stockAt, statedSteps(simulation)) : null;
       [drawnRings, drawnKey] = [[], ""];
       const chuck = chuckParts(next.blank, next.steps, next.contours);
       stage.setChuck(chuck?.parts ?? []);
@@ -166,7 +181,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock): Show {
       ask();
     },
     setLook(look) {
-      quarterCut = look.quarterCut;
+      [quarterCut, xDown] = [look.quarterCut, look.xDown];
       stage.turnOver(look.xDown);
       changeWork();
     },

@@ -4,12 +4,9 @@ import type { Size } from "../../view/camera.ts";
 import type { DrawnPart } from "../../view/solid/furniture.ts";
 import type { Mesh } from "../../view/solid/mesh.ts";
 import { eyeOf, FIELD, pixelAt, type Orbit } from "../../view/solid/orbit.ts";
-import type { Solid } from "../../view/solid/revolve.ts";
+import type { MomentBody } from "../../view/solid/moment.ts";
 import { createPathStage, LINE_COLOURS, type StageLines } from "./path-stage.ts";
 import { hatched } from "./section-material.ts";
-
-/** What a body of the work is made of, which decides its colour. */
-type BodyRole = "steel" | "residual" | "gouge";
 
 /** Colours of the page, by the custom properties that hold them. */
 export const STAGE_COLOURS = {
@@ -30,7 +27,7 @@ export interface SolidStage {
   /** The canvas, and how much of it lies below the picture, pixels of the page. */
   readonly setSize: (size: Size, below: number, ratio: number) => void;
   readonly setColours: (colours: Readonly<Record<keyof typeof STAGE_COLOURS, string>>) => void;
-  readonly setBodies: (bodies: readonly { readonly role: BodyRole; readonly solid: Solid }[]) => void;
+  readonly setBodies: (bodies: readonly MomentBody[]) => void;
   readonly setChuck: (parts: readonly DrawnPart[]) => void;
   readonly setTool: (parts: readonly DrawnPart[]) => void;
   /** Where the tip of the tool is, mm; null: there is none. */

@@ -4,7 +4,7 @@ export const exported: ExportTexts = {
   title: "Teil exportieren",
   lead: "Längen in Millimetern. Z liegt längs der Spindel, der Nullpunkt ist der des Werkstücks.",
   bodies: "Körper",
-  bodiesHint: "STL, geschlossene Flächen, Sehnen höchstens 0,02 mm neben der Rundung. Gewinde sind Ringe, keine Wendel.",
+  bodiesHint: "STL, geschlossene Flächen, Sehnen höchstens 0,02 mm neben der Rundung. Gewinde sind Wendel, rechtsgängig.",
   body: { part: "Fertigteil", blank: "Rohteil", stock: "Material, wie es jetzt ist" },
   bodyHint: {
     part: "Das Rohteil ohne alles, was die Zyklen und die Wege dazwischen abtragen.",
@@ -34,4 +34,5 @@ export const exported: ExportTexts = {
   save: (what, format) => `${what} als ${format}`,
   saved: (file, volume) => `${file} gespeichert, ${volume} cm³.`,
   savedFile: (file) => `${file} gespeichert.`,
+  rings: "Die Gewinde darin sind Ringe: Als Wendel waren sie nicht darzustellen.",
 };

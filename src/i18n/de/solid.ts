@@ -11,7 +11,7 @@ export const solid: SolidTexts = {
   iso: "Schräg",
   front: "Von vorn",
   end: "Auf die Planfläche",
-  threads: "Gewinde sind als Ringe gezeichnet, ohne Steigung.",
+  threads: "Die Gewinde sind hier als Ringe gezeichnet, ohne Steigung.",
   missing: "Dieser Browser zeigt hier kein 3D: Er hat kein WebGL. An seiner Stelle steht der Schnitt.",
   lost: "Die Grafikkarte wurde entzogen. Bis 3D wieder da ist, steht hier der Schnitt.",
   again: "3D nochmals versuchen",

@@ -4,7 +4,7 @@ export const exported = {
   title: "Export part",
   lead: "Lengths in millimetres. Z lies along the spindle, the zero point is that of the workpiece.",
   bodies: "Bodies",
-  bodiesHint: "STL, closed surfaces, chords within 0.02 mm of the round. Threads are rings, not helices.",
+  bodiesHint: "STL, closed surfaces, chords within 0.02 mm of the round. Threads are helices, right-handed.",
   body: { part: "Finished part", blank: "Blank", stock: "Stock as it is now" },
   bodyHint: {
     part: "The blank less all that the cycles and the moves between them take away.",
@@ -34,6 +34,7 @@ export const exported = {
   save: (what: string, format: string) => `${what} as ${format}`,
   saved: (file: string, volume: string) => `${file} saved, ${volume} cm³.`,
   savedFile: (file: string) => `${file} saved.`,
+  rings: "Its threads are rings: they could not be made helices.",
 };
 
 export type ExportTexts = Shape<typeof exported>;

@@ -12,7 +12,7 @@ export const solid = {
   iso: "At an angle",
   front: "From the front",
   end: "At the face",
-  threads: "Threads are drawn as rings, without their lead.",
+  threads: "The threads here are drawn as rings, without their lead.",
   missing: "This browser shows no 3D here: it has no WebGL to give. The section is shown in its place.",
   lost: "The graphics card was taken away. The section is shown until 3D is back.",
   again: "Try 3D again",

@@ -5,7 +5,7 @@ export const exported: ExportTexts = typeset({
   title: "Exporter la pièce",
   lead: "Longueurs en millimètres. Z est le long de la broche, le zéro est celui de la pièce.",
   bodies: "Volumes",
-  bodiesHint: "STL, surfaces fermées, cordes à 0,02 mm au plus de l’arrondi. Les filetages sont des anneaux, pas des hélices.",
+  bodiesHint: "STL, surfaces fermées, cordes à 0,02 mm au plus de l’arrondi. Les filetages sont des hélices, à droite.",
   body: { part: "Pièce finie", blank: "Brut", stock: "Matière telle qu’elle est maintenant" },
   bodyHint: {
     part: "Le brut moins tout ce qu’enlèvent les cycles et les déplacements entre eux.",
@@ -35,4 +35,5 @@ export const exported: ExportTexts = typeset({
   save: (what: string, format: string) => `${what} en ${format}`,
   saved: (file: string, volume: string) => `${file} enregistré, ${volume} cm³.`,
   savedFile: (file: string) => `${file} enregistré.`,
+  rings: "Ses filetages sont des anneaux : ils n’ont pas pu devenir des hélices.",
 });

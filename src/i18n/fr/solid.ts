@@ -12,7 +12,7 @@ export const solid: SolidTexts = typeset({
   iso: "En biais",
   front: "De face",
   end: "Sur la face dressée",
-  threads: "Les filetages sont dessinés en anneaux, sans leur pas.",
+  threads: "Les filetages sont ici dessinés en anneaux, sans leur pas.",
   missing: "Ce navigateur n’affiche pas de 3D ici : il n’a pas de WebGL. La coupe est montrée à sa place.",
   lost: "La carte graphique a été retirée. La coupe est montrée jusqu’au retour de la 3D.",
   again: "Réessayer la 3D",

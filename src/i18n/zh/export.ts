@@ -4,7 +4,7 @@ export const exported: ExportTexts = {
   title: "导出零件",
   lead: "长度单位为毫米。Z 沿主轴方向，零点为工件零点。",
   bodies: "实体",
-  bodiesHint: "STL，封闭曲面，弦与圆弧相差不超过 0.02 mm。螺纹为环槽，不是螺旋线。",
+  bodiesHint: "STL，封闭曲面，弦与圆弧相差不超过 0.02 mm。螺纹为右旋螺旋。",
   body: { part: "成品", blank: "毛坯", stock: "当前余料" },
   bodyHint: {
     part: "毛坯减去各循环及其间移动切除的全部材料。",
@@ -34,4 +34,5 @@ export const exported: ExportTexts = {
   save: (what, format) => `${what}（${format}）`,
   saved: (file, volume) => `已保存 ${file}，${volume} cm³。`,
   savedFile: (file) => `已保存 ${file}。`,
+  rings: "其中螺纹为环槽：无法做成螺旋线。",
 };

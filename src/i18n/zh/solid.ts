@@ -10,7 +10,7 @@ export const solid: SolidTexts = {
   iso: "斜视",
   front: "正视",
   end: "端视",
-  threads: "螺纹画成环槽，不含导程。",
+  threads: "此处螺纹画成环槽，不含导程。",
   missing: "此浏览器没有 WebGL，无法显示三维图，改为显示剖面。",
   lost: "显卡暂时不可用。三维图恢复之前显示剖面。",
   again: "重试三维图",

@@ -36,6 +36,10 @@ export function colouredBodies(stock: readonly Ring[], simulation: Simulation, p
   return { steel: plain(steel), residual: plain(residual), gouge: plain(gouge) };
 }
 
+/** Steps at which a run states another blank. */
+export const statedSteps = ({ checkpoints }: Pick<Simulation, "checkpoints">): readonly number[] =>
+  checkpoints.flatMap(({ isStated, step }) => (isStated ? [step] : []));
+
 /** Material that is missing by less than this is the chord error of both sides, mm. */
 const MISSING = 2 * SLIVER;
 
@@ -44,15 +48,25 @@ const MISSING = 2 * SLIVER;
  * of them took. A blank that is stated later counts from its step on. Empty where there is no blank or nothing takes anything away.
  */
 export function finishedBody(simulation: Simulation, operations: readonly SimulatedOperation[]): readonly Ring[] {
-  const stated = simulation.checkpoints.findLast((mark) => mark.isStated);
-  const first = stated?.step ?? 0;
-  const last = operations.filter((o) => o.firstStep >= first && o.plan.area.length > 2);
-  const blank = stated ? statedBlank(simulation, first) : simulation.blank;
+  const { blank, last } = lastHeld(simulation, operations);
   if (blank.length === 0 || last.length === 0) return [];
   const ideal = difference(blank, machiningArea(last));
   const kept = union([...simulation.final, ...simulation.findings.flatMap((f) => offset(f.rings, MISSING))]);
   const gone = offset(difference(ideal, kept), -MISSING / 2);
   return gone.length === 0 ? ideal : difference(ideal, offset(gone, MISSING / 2 + CHORD));
+}
+
+/** The blank that is in the chuck at the end, and what is done to it. */
+function lastHeld(simulation: Simulation, operations: readonly SimulatedOperation[]) {
+  const stated = simulation.checkpoints.findLast((mark) => mark.isStated), first = stated?.step ?? 0;
+  const last = operations.filter((o) => o.firstStep >= first && o.plan.area.length > 2);
+  return { last, blank: stated ? statedBlank(simulation, first) : simulation.blank };
+}
+
+/** The blank less what all operations but threads take away: no thread of the finished part is in what lies beyond it. */
+export function withoutThreads(simulation: Simulation, operations: readonly SimulatedOperation[]): readonly Ring[] {
+  const { blank, last } = lastHeld(simulation, operations);
+  return difference(blank, machiningArea(last.filter(({ plan }) => !plan.thread)));
 }
 
 function statedBlank({ checkpoints }: Simulation, step: number): readonly Ring[] {

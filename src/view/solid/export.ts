@@ -3,20 +3,41 @@ import { boxAround } from "../../kernel/box.ts";
 import type { Ring } from "../../kernel/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import { volumeOf, type Mesh } from "./mesh.ts";
+import type { ThreadedStock } from "./thread-cuts.ts";
+import { threaded } from "./threaded.ts";
 import { chordsFor, revolved, wholeMesh } from "./revolve.ts";
 import { stlOf } from "./stl.ts";
 
 /** Fewest chords of a full turn in a file: a prism with so many sides lacks less than a thousandth of its cylinder. */
 const LEAST_CHORDS = 96;
 
-/** A body as it is written: its surface within SOLID_CHORD of the true one, closed. */
-export function bodyMesh(rings: readonly Ring[]): Mesh {
-  const plain = simplified(rings, CHORD);
-  return wholeMesh(revolved(plain, { chords: Math.max(LEAST_CHORDS, chordsFor(boxAround(plain).high)), quarterCut: false }));
+/** Flanks of a thread in a file: how far they may lie from the true ones, mm, and the most corners of all of them. */
+const THREAD = { within: 0.01, most: 1_000_000 } as const;
+
+/** A body that is to be written. */
+export interface WrittenBody {
+  readonly rings: readonly Ring[];
+  /** The same with its threads taken out; null where there are none. */
+  readonly threads: ThreadedStock | null;
+}
+
+/**
+ * A body as it is written: its surface within SOLID_CHORD of the true one, closed. `hasRings`: threads are rings, because they could not
+ * be made helices.
+ */
+export function bodyMesh({ rings, threads }: WrittenBody): { readonly mesh: Mesh; readonly hasRings: boolean } {
+  const plain = simplified(rings, CHORD), chords = Math.max(LEAST_CHORDS, chordsFor(boxAround(plain).high)), quarterCut = false;
+  const helices = threads && threaded(plain, { ...threads, base: simplified(threads.base, CHORD) }, {
+    chords,
+    quarterCut,
+    hand: 1,
+    ...THREAD,
+  });
+  return { mesh: wholeMesh(helices ?? revolved(plain, { chords, quarterCut })), hasRings: threads !== null && !helices };
 }
 
 /** A body as a binary STL file with its volume, cm³. */
-export function bodyStl(rings: readonly Ring[], name: string): { readonly bytes: Uint8Array<ArrayBuffer>; readonly volume: number } {
-  const mesh = bodyMesh(rings);
-  return { bytes: stlOf(mesh, name), volume: volumeOf(mesh) / 1000 };
+export function bodyStl(body: WrittenBody, name: string) {
+  const { mesh, hasRings } = bodyMesh(body);
+  return { bytes: stlOf(mesh, name), volume: volumeOf(mesh) / 1000, hasRings };
 }

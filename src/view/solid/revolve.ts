@@ -34,7 +34,7 @@ export function chordsFor(size: number, chord: number = SOLID_CHORD): number {
 }
 
 /** Directions round the axis, from X up over the operator; the four main ones are exact. */
-function directionsOf(chords: number): readonly (readonly [number, number])[] {
+export function directionsOf(chords: number): readonly (readonly [number, number])[] {
   const quarter = chords / 4;
   const first = Array.from({ length: quarter }, (_, i) => {
     const a = (i / chords) * 2 * Math.PI;
@@ -48,7 +48,7 @@ function directionsOf(chords: number): readonly (readonly [number, number])[] {
 const UP = [1, 0] as const;
 
 /** Where the turn begins and over how many chords it goes. */
-const spanOf =
+export const spanOf =
   ({ chords, quarterCut }: Turning) => (quarterCut ? { first: chords / 4, count: (3 * chords) / 4 } : { first: 0, count: chords });
 
 function surfaceOf(profile: Profile, turning: Turning, directions: ReturnType<typeof directionsOf>): Mesh {
@@ -92,11 +92,11 @@ function surfaceOf(profile: Profile, turning: Turning, directions: ReturnType<ty
   return { positions, normals, index: index.slice(0, n) };
 }
 
-/** Both faces of the cut. */
-function sectionOf(rings: readonly Ring[]): Mesh {
-  const triangles = trianglesOf(rings), points = rings.flat();
+/** Both faces of the cut: outlines of the one that stands upright, and of the one that lies towards the operator. */
+export function cutFaces(standing: readonly Ring[], lying: readonly Ring[]): Mesh {
   const build = new MeshBuilder();
-  for (const upright of [true, false]) {
+  for (const [rings, upright] of [[standing, true], [lying, false]] as const) {
+    const triangles = trianglesOf(rings), points = rings.flat();
     const corners = points.map((p) => upright ? build.corner(p.r, 0, p.z, 0, 1, 0) : build.corner(0, p.r, p.z, 1, 0, 0));
     for (let i = 0; i < triangles.length; i += 3) {
       const [a = 0, b = 0, c = 0] = [0, 1, 2].map((k) => corners[triangles[i + k] ?? 0]);
@@ -139,7 +139,7 @@ export function revolved(rings: readonly Ring[], turning: Turning): Solid {
   const outlines = profiles.map(({ points, sides }) => sides.flatMap(([a]): Pt[] => points[a] ? [points[a].p] : []));
   return {
     surface: joinedMeshes(profiles.map((p) => surfaceOf(p, turning, directions))),
-    section: turning.quarterCut ? sectionOf(outlines) : NO_MESH,
+    section: turning.quarterCut ? cutFaces(outlines, outlines) : NO_MESH,
     edges: edgesOf(profiles, turning, directions),
   };
 }

@@ -1,0 +1,43 @@
+import { readFileSync } from "node:fs";
+import { expect, test } from "vitest";
+import { parse } from "../../nc/parse.ts";
+import { run } from "../../program/run.ts";
+import { shippedTools } from "../../program/shipped-tools.ts";
+import { simulate } from "../../sim/simulate.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
+import { playerOf } from "../../sim/stock.ts";
+import { statedSteps } from "./bodies.ts";
+import { bodiesAt } from "./moment.ts";
+import { runThreads } from "./thread-cuts.ts";
+import type { ThreadTurning } from "./threaded.ts";
+
+const fine: ThreadTurning = { chords: 32, quarterCut: true, hand: 1, within: 0.02, most: 100_000 };
+
+function moments(text: string) {
+  const { blank, stated, steps, operations, unproved } = run(parse(text), { tools: shippedTools, rapid: 8000 });
+  const simulation = simulate({ blank, stated, steps, operations, unproved }), player = playerOf(simulation);
+  const threads = runThreads(steps, player.at, statedSteps(simulation));
+  const at = (position: PlayPosition) => bodiesAt({ stock: player.at(position), simulation, threads, position, size: 60 }, fine);
+  return { steps, at, threads };
+}
+const printed = readFileSync("tests/programs/cycle-831.h", "utf8");
+
+test("whichever way a moment is come to, its body is the same, and a thread in it is a helix from its first cut on", () => {
+  const { steps, at } = moments(printed), first = steps.findIndex(({ move }) => move.kind === "thread");
+  const places = [first + 0.6, first + 8.31, steps.length, first + 3, first + 0.6].map((n) => ({ step: Math.floor(n), fraction: n % 1 }));
+  const sizes = places.map((place) => at(place)).map(({ bodies, hasRings }) => [hasRings, bodies[0]?.solid.surface.index.length]);
+  expect(sizes.every(([rings]) => rings === false)).toBe(true);
+  expect(sizes[0]).toEqual(sizes.at(-1));
+  expect(at({ step: first, fraction: 0 }).hasRings).toBe(false);
+  expect(at({ step: first, fraction: 0 }).bodies[0]?.solid.surface.index.length).toBeLessThan(1000);
+});
+
+test("what was turned away after the thread is gone from it", () => {
+  const cut = "9.1 L X+40 Z+3 FMAX\n9.2 L X+28.6 F0.2\n9.3 L Z-9.3\n9.4 L X+50\n9.5 L Z+30 FMAX\n";
+  const { steps, at } = moments(printed.replace("10 L X+60", `${cut}10 L X+60`));
+  expect(at({ step: steps.length, fraction: 0 }).hasRings).toBe(false);
+});
+
+test("a program without threads has none", () => {
+  expect(moments(readFileSync("src/examples/flange.h", "utf8")).threads).toBeNull();
+});

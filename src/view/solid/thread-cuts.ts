@@ -1,0 +1,131 @@
+import { boxAround, boxOf } from "../../kernel/box.ts";
+import { difference, intersection, offset, union } from "../../kernel/clip.ts";
+import { insertOutline } from "../../kernel/insert.ts";
+import { part, type Pt, type Ring } from "../../kernel/point.ts";
+import type { Step } from "../../kernel/step.ts";
+import { turnsIn, type ThreadMove } from "../../kernel/thread-turns.ts";
+import { pathOf } from "../../kernel/time.ts";
+import { CHORD } from "../../kernel/tolerance.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
+import { sweptBy } from "../../sim/sweep.ts";
+
+/** One cut along a thread, as far as it has come. */
+export interface ThreadCut {
+  readonly from: Pt;
+  readonly move: ThreadMove;
+  /** Turns of the spindle that are done, and those of the whole cut. */
+  readonly done: number;
+  readonly turns: number;
+  /** Outline of the insert round its tip, counter-clockwise. */
+  readonly outline: Ring;
+}
+
+/** A stock with threads in it. */
+export interface ThreadedStock {
+  /** The stock as it would be without the grooves. */
+  readonly base: readonly Ring[];
+  readonly cuts: readonly ThreadCut[];
+}
+
+/** The threads of a run. */
+export interface RunThreads {
+  /**
+   * A stock of a moment, taken apart into what was turned and the grooves in it; null where no groove has been begun. `within`: nothing is
+   * filled beyond it.
+   */
+  readonly of: (stock: readonly Ring[], now: PlayPosition, within?: readonly Ring[]) => ThreadedStock | null;
+}
+
+/** Cuts that follow each other with one tool in one operation. */
+interface Group {
+  readonly first: number;
+  last: number;
+  readonly steps: number[];
+}
+
+/** Grooves are filled so much farther than they were cut, mm, that filling and stock join. */
+const JOIN = 0.01;
+
+type ThreadStep = Step & { readonly move: ThreadMove };
+const isThread = (step: Step | undefined): step is ThreadStep => step?.move.kind === "thread";
+const isCut = ({ move }: Step) => move.kind === "feed" || move.kind === "arc";
+
+function groupsOf(steps: readonly Step[]): readonly Group[] {
+  const groups: Group[] = [];
+  let open: Group | undefined;
+  steps.forEach((step, i) => {
+    const before = open && steps[open.first];
+    if (!isThread(step)) {
+      if (isCut(step)) open = undefined;
+      return;
+    }
+    if (!open || before?.tool !== step.tool || before.operation !== step.operation) groups.push(open = { first: i, last: i, steps: [] });
+    open.last = i;
+    open.steps.push(i);
+  });
+  return groups;
+}
+
+/**
+ * The threads of a run; null where it has none. `stockAt` is asked once for each of them, for what stood there before its first cut;
+ * `stated` are the steps from which on another blank is in the chuck, which knows nothing of what was cut before.
+ */
+export function runThreads(
+  steps: readonly Step[],
+  stockAt: (position: PlayPosition) => readonly Ring[],
+  stated: readonly number[] = [],
+): RunThreads | null {
+  const groups = groupsOf(steps);
+  if (groups.length === 0) return null;
+  const outlines = new Map<Step["tool"], Ring>();
+  const outlineOf = ({ tool }: Step): Ring => {
+    const have = outlines.get(tool) ?? insertOutline(tool, CHORD);
+    outlines.set(tool, have);
+    return have;
+  };
+  const filled = new Map<Group, readonly Ring[]>();
+  const fillOf = (group: Group): readonly Ring[] => {
+    const have = filled.get(group);
+    if (have) return have;
+    const swept = union(group.steps.flatMap((i) => {
+      const step = steps[i];
+      return step ? [...sweptBy(outlineOf(step), step).rings] : [];
+    }));
+    const fill = intersection(stockAt({ step: group.first, fraction: 0 }), offset(swept, JOIN));
+    filled.set(group, fill);
+    return fill;
+  };
+
+  /** What of a filling nobody has turned away since. */
+  function stillThere(fill: readonly Ring[], from: number, now: PlayPosition): readonly Ring[] {
+    if (fill.length === 0) return fill;
+    const box = boxAround(fill), gone: Ring[] = [];
+    for (let i = from; i <= Math.min(now.step, steps.length - 1); i += 1) {
+      const step = steps[i] as Step, fraction = i < now.step ? 1 : now.fraction;
+      if (!isCut(step) || fraction === 0) continue;
+      const way = part.boxOf(pathOf(step.from, step.move)), tool = boxOf(outlineOf(step));
+      const isAway = way.right + tool.right < box.left || way.left + tool.left > box.right || way.high + tool.high < box.low
+        || way.low + tool.low > box.high;
+      if (!isAway) gone.push(...sweptBy(outlineOf(step), step, fraction).rings);
+    }
+    return gone.length > 0 ? difference(fill, union(gone)) : fill;
+  }
+
+  const cutOf = (i: number, now: PlayPosition): ThreadCut[] => {
+    const step = steps[i], fraction = i < now.step ? 1 : now.fraction;
+    if (!isThread(step) || i > now.step || fraction === 0) return [];
+    const turns = turnsIn(step.from, step.move);
+    return [{ from: step.from, move: step.move, turns, done: turns * fraction, outline: outlineOf(step) }];
+  };
+
+  return {
+    of(stock, now, within) {
+      const since = stated.findLast((step) => step <= now.step) ?? 0;
+      const begun = groups.filter(({ first }) => first >= since && (first < now.step || (first === now.step && now.fraction > 0)));
+      if (begun.length === 0) return null;
+      const filling = begun.flatMap((group) => [...stillThere(fillOf(group), group.first + 1, now)]);
+      const base = union(stock, within ? intersection(filling, within) : filling);
+      return { base, cuts: begun.flatMap(({ steps: all }) => all.flatMap((i) => cutOf(i, now))) };
+    },
+  };
+}
