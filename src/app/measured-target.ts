@@ -1,10 +1,19 @@
+import { WORKPIECE_ZERO } from "../view/datum.ts";
+import type { Counting } from "../view/measure/distance.ts";
 import type { MeasuredTarget } from "./lathe/measured-into.ts";
 import { usePlace } from "./place.ts";
 import type { JobReading } from "./reading.ts";
 import { closeStep } from "./steps.ts";
 
+/** A job counts in mm from the workpiece zero. */
+const PLAIN: Counting = { unit: 1, zero: WORKPIECE_ZERO };
+
 /** The open prompt of a cycle as a place for a measured value, which is a step of undo of its own. */
-export function useMeasuredTarget(read: JobReading | null, set: (q: string, text: string) => void): MeasuredTarget | null {
+export function useMeasuredTarget(
+  read: JobReading | null,
+  set: (q: string, text: string) => void,
+  counts: Counting = PLAIN,
+): MeasuredTarget | null {
   const q = usePlace((p) => p.prompt);
   const param = q === null ? undefined : read?.cycle.params[q];
   if (q === null || !param || param.choices) return null;
@@ -13,5 +22,5 @@ export function useMeasuredTarget(read: JobReading | null, set: (q: string, text
     set(q, String(value));
     closeStep();
   };
-  return { q, kind: param.kind, take };
+  return { q, kind: param.kind, counts, take };
 }

@@ -56,3 +56,5 @@ export const angleUnder = (angle: number) => (Math.ceil(angle * ANGLE_STEPS - SA
 
 /** An inch in mm. */
 export const INCH = 25.4;
+/** A length in inches on the grid that a control keeps of it: one decimal more than of millimetres. */
+export const roundedInch = (inches: number) => Math.round(inches * STEPS * 10) / (STEPS * 10);

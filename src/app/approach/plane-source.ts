@@ -17,7 +17,7 @@ export const measurablePlane = (run: Run): MeasurableRun => ({
   contours: run.approaches.filter((each) => each.plane === "XY").map(({ contour }) => contour.map(partSegment)),
   blank: groundOf(run),
   path: () => run.plane.map(({ to }) => partPoint(to)),
-  printOf: printsOfMilled([...run.blank, ...groundOf(run)], run.plane),
+  printOf: printsOfMilled([...run.blank, ...groundOf(run)], run.plane, run),
 });
 
 /** What the working plane of milling has to measure: contours, the outline of the blank, milled edges, ends of motions. */

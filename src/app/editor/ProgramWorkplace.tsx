@@ -25,6 +25,7 @@ import { thirdColumn, useThirdColumn } from "../use-media.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
 import { followProgram } from "./follow.ts";
 import { openChosen } from "./choose-block.ts";
+import { useBlockCounting } from "./block-counting.ts";
 import { setBlockPrompt, useOpenBlock } from "./open-block.ts";
 import { openMaker } from "./open-maker.ts";
 import { closeSession, handOverText, openSession } from "./session.ts";
@@ -78,7 +79,7 @@ export function ProgramWorkplace() {
   const host = useProgramHost();
   const inserting = useInserting();
   const { read } = useOpenBlock(), late = useLater(read), tools = useToolList();
-  const measured = useMeasuredTarget(read, setBlockPrompt);
+  const measured = useMeasuredTarget(read, setBlockPrompt, useBlockCounting(shown?.run ?? null));
   // Blank, tool and start are those of the program: of what is typed only the contour of the block is drawn.
   const known = useMemo(
     () =>

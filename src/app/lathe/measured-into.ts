@@ -1,10 +1,13 @@
 import { createContext } from "react";
 import type { Kind } from "../../cycles/params.ts";
+import type { Counting } from "../../view/measure/distance.ts";
 
 /** The open prompt, for what is measured in the picture. */
 export interface MeasuredTarget {
   readonly q: string;
   readonly kind: Kind;
+  /** How the block of the prompt counts. */
+  readonly counts: Counting;
   readonly take: (value: number) => void;
 }
 

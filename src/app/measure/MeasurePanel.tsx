@@ -6,7 +6,7 @@ import type { MeasureTexts } from "../../i18n/en/measure.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber, formatPosition } from "../../i18n/number.ts";
 import type { LabelBox } from "../../view/help/labels.ts";
-import { gaugedFor, measure, measuredFor } from "../../view/measure/distance.ts";
+import { counted, gaugedFor, measure, measuredFor } from "../../view/measure/distance.ts";
 import { gauged } from "../../view/measure/figure.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import { setMeasured } from "../edits.ts";
@@ -79,8 +79,14 @@ function hintOf(t: MeasureTexts, kind: MeasuredKind, { first, said }: MeasureSta
   return kind === "diameter" && !isTurned ? t.pickCircle : t.pick[kind];
 }
 
-/** What the open prompt could take of what was measured; null where it is of another sort. */
-function offered(target: MeasuredTarget | null, { first, done }: MeasureState, value: number | undefined): number | null {
+/** What the open prompt could take of what was measured, as its block counts; null where it is of another sort. */
+function offered(target: MeasuredTarget | null, state: MeasureState, value: number | undefined): number | null {
+  const found = offeredPlain(target, state, value);
+  return target && found !== null ? counted(target.kind, found, target.counts) : null;
+}
+
+/** The same in mm, from the workpiece zero. */
+function offeredPlain(target: MeasuredTarget | null, { first, done }: MeasureState, value: number | undefined): number | null {
   if (!target) return null;
   if (done && value !== undefined) {
     const sized = gaugedFor(target.kind, done.kind, value);
@@ -180,7 +186,7 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
 {
   const t = useMeasureTexts(), take = useTexts().lathe.takeInto, language = useSettings((s) => s.language);
   const target = useContext(MeasuredInto), panel = useRef<HTMLDivElement>(null), isTurned = source.plane === "ZX";
-  const [said, say] = useState(""), isPhone = useMedia("phone");
+  const [spoken, speak] = useState({ text: "", after: state }), isPhone = useMedia("phone");
   useEffect(() => {
     const element = panel.current;
     if (!element || typeof ResizeObserver === "undefined") return;
@@ -195,6 +201,8 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
   const { done, kind } = state, value = done ? gauged(done.kind, done.places, isTurned)?.value : undefined;
   const into = offered(target, state, value), last = readings.at(-1);
   const result = done && last ? (words.get(last.measurement.id)?.name ?? "") : "";
+  // What was said of the list holds until something is picked.
+  const said = spoken.after === state ? spoken.text : "";
   const tools: Tools = { kind, choose: measuring.choose, source, t };
   return (
     <div ref={panel} className="measure-panel">
@@ -208,12 +216,12 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
       <Numbers state={state} isTurned={isTurned} language={language} t={t} />
       {target && into !== null && (
         <button type="button" className="button small" onClick={() => target.take(into)}>
-          {take(`${target.kind === "diameter" ? "⌀" : ""}${formatNumber(language, into, 3)}`, target.q)}
+          {take(`${target.kind === "diameter" ? "⌀" : ""}${formatNumber(language, into, target.counts.unit === 1 ? 3 : 4)}`, target.q)}
         </button>
       )}
       {!done && <p className="measure-hint small soft">{hintOf(t, kind, state, isTurned)}</p>}
-      <p role="status" className="unseen">{done ? result : said || `${hintOf(t, kind, state, isTurned)} ${t.keys}`}</p>
-      <MeasuredList readings={readings} words={words} t={t} say={say} />
+      <p role="status" className="unseen">{said || (done ? result : `${hintOf(t, kind, state, isTurned)} ${t.keys}`)}</p>
+      <MeasuredList readings={readings} words={words} t={t} say={(text) => speak({ text, after: state })} />
     </div>
   );
 }

@@ -82,6 +82,7 @@ export function measureHand(
     const { snapping, moment } = snapped(), { kind } = get();
     const picked = pickedWith(kind, snapping, place, first), none = { cross: place, first, done: null, said: texts().none[gripNow()] };
     if (picked === "nothing") return put(none);
+    if (picked === "level" || picked === "parallel") return put({ ...none, said: texts().none[picked] });
     if ("waits" in picked) return put({ cross: place, first: picked.waits, done: null, said: "" });
     const places = picked.measured;
     if (!gauged(kind, places, snapping.drawing.isTurned)) return put(none);

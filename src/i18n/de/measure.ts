@@ -39,6 +39,8 @@ export const measure: MeasureTexts = {
     wall: "Hier ist keine Wand: Das Material reicht bis zur Achse, oder es ist keines da.",
     surface: "Hier ist kein Durchmesser.",
     point: "Beide Stellen sind dieselbe.",
+    level: "In dieser Richtung haben die beiden Stellen keinen Abstand.",
+    parallel: "Die beiden Kanten sind parallel: Sie bilden keinen Winkel.",
   },
   keys: "Pfeiltasten bewegen das Kreuz, N und P springen von Kante zu Kante, Enter wählt. Esc beendet.",
   spots: { corner: "Ecke", centre: "Mittelpunkt", edge: "Kante", path: "Ende einer Bewegung", free: "" },

@@ -39,6 +39,8 @@ export const measure = {
     wall: "There is no wall here: the material goes on to the axis, or there is none.",
     surface: "There is no diameter here.",
     point: "Both places are the same.",
+    level: "No distance that way between the two places.",
+    parallel: "The two edges are parallel: they make no angle.",
   },
   keys: "Arrow keys move the cross, N and P go from edge to edge, Enter picks. Escape leaves.",
   spots: { corner: "Corner", centre: "Centre", edge: "Edge", path: "End of a move", free: "" },

@@ -39,6 +39,8 @@ export const measure: MeasureTexts = {
     wall: "Il n’y a pas de paroi ici: la matière va jusqu’à l’axe, ou il n’y en a pas.",
     surface: "Il n’y a pas de diamètre ici.",
     point: "Les deux points sont les mêmes.",
+    level: "Les deux points n’ont aucune distance dans cette direction.",
+    parallel: "Les deux arêtes sont parallèles: elles ne forment pas d’angle.",
   },
   keys: "Les flèches déplacent la croix, N et P vont d’arête en arête, Entrée choisit. Échap quitte.",
   spots: { corner: "Coin", centre: "Centre", edge: "Arête", path: "Fin d’un déplacement", free: "" },

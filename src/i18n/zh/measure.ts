@@ -39,6 +39,8 @@ export const measure: MeasureTexts = {
     wall: "此处没有壁：材料直到轴线，或没有材料。",
     surface: "此处没有直径。",
     point: "两点相同。",
+    level: "两点在该方向上没有距离。",
+    parallel: "两条边平行：没有夹角。",
   },
   keys: "方向键移动十字线，N 和 P 键在各边之间移动，回车键选择，Esc 键退出。",
   spots: { corner: "角点", centre: "圆心", edge: "边", path: "移动终点", free: "" },

@@ -1,7 +1,7 @@
 import type { Kind } from "../../cycles/params.ts";
 import type { MeasuredKind } from "../../kernel/measured.ts";
 import type { Pt } from "../../kernel/point.ts";
-import { axial, type Diameter, radius, rounded, roundedAngle, toDiameter, toRadius } from "../../kernel/units.ts";
+import { axial, type Diameter, radius, rounded, roundedAngle, roundedInch, toDiameter, toRadius } from "../../kernel/units.ts";
 
 /** What lies between two places. */
 export interface Distance {
@@ -52,6 +52,19 @@ export function gaugedFor(kind: Kind, measured: MeasuredKind, value: number): nu
   if (kind === "angle") return measured === "angle" ? roundedAngle(value) : null;
   const fits: readonly MeasuredKind[] = TAKES[kind] ?? [];
   return fits.includes(measured) ? rounded(value) : null;
+}
+
+/** How a block counts: in mm or in units of so many mm, from a zero that lies here on the workpiece. */
+export interface Counting {
+  readonly unit: number;
+  readonly zero: Pt;
+}
+
+/** A value of a kind, mm or degrees and from the workpiece zero, as a block says it, on the grid of the control. */
+export function counted(kind: Kind, value: number, { unit, zero }: Counting): number {
+  if (kind === "angle") return value;
+  const from = kind === "diameter" ? toDiameter(zero.r) : kind === "axial" ? zero.z : 0;
+  return unit === 1 ? rounded(value - from) : roundedInch((value - from) / unit);
 }
 
 /** A place moved by so much of Z and r, mm, on whole thousandths. */

@@ -24,7 +24,7 @@ function taken(kind: MeasuredKind, on: Measurable, ...pointed: readonly Pt[]): r
   let first: MeasuredPlace | null = null;
   for (const p of pointed) {
     const picked = pickedWith(kind, snapping, snapAt(snapping, p, REACH, grip), first);
-    if (picked === "nothing") return [];
+    if (typeof picked === "string") return [];
     if ("measured" in picked) return picked.measured;
     first = picked.waits;
   }
@@ -224,4 +224,20 @@ describe("after a change", () => {
     expect(on(null, [at(1.7, 4.4)])).toBe(true);
     expect(on("abc", [at(1.7, 4.5)])).toBe(true);
   });
+});
+
+test("a wrong use says which: edges side by side, no distance that way, the same place", () => {
+  const beside = line(at(-2.31, 30.7), at(-9.74, 30.7)), far = drawing({ contours: [[...shaft, beside]] }), snapping = snappingOf(far);
+  const outcome = (kind: MeasuredKind, one: Pt, other: Pt) => {
+    const [a, b] = [one, other].map((p) => snapAt(snapping, p, REACH, gripOf(kind, far)));
+    return a && b ? pickedWith(kind, snapping, b, a) : null;
+  };
+  const [seat, face] = [at(-7.3, 8.5), at(-14.87, 15.2)];
+  expect(outcome("angle", seat, at(-5.1, 30.7))).toBe("parallel");
+  expect(outcome("angle", seat, face)).toHaveProperty("measured.length", 2);
+  expect(outcome("length", at(-14.87, 10.1), at(-14.87, 21.0175))).toBe("level");
+  expect(outcome("depth", at(-1.15, 8.5), at(-13.27, 8.5))).toBe("level");
+  expect(outcome("depth", at(-14.87, 10.1), at(-14.87, 21.0175))).toHaveProperty("measured.length", 2);
+  expect(outcome("distance", at(-1.15, 8.5), at(-13.27, 8.5))).toHaveProperty("measured.length", 2);
+  expect(outcome("distance", face, face)).toBe("nothing");
 });

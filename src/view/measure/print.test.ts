@@ -3,7 +3,7 @@ import { at } from "../../kernel/point.ts";
 import type { Step } from "../../kernel/step.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { feed, length } from "../../kernel/units.ts";
-import { printsOf } from "./print.ts";
+import { printsOf, printsOfMilled, type StockMaker } from "./print.ts";
 
 const tool: Tool = { T: 3, NAME: "A", TYPE: "ROUGH", TO: 1, RS: length(0.8) };
 const step = (z: number, r: number, own = tool): Step => ({
@@ -49,4 +49,19 @@ test("a blank that is stated on the way counts from its step on", () => {
   const stated = [{ step: 2, block: 40, what: "BLK FORM", rings: blank }];
   expect(print({ ...made, stated }, moment(1))).toBe(print(made, moment(1)));
   expect(print({ ...made, stated }, moment(2))).not.toBe(print(made, moment(2)));
+});
+
+test("milled stock is another one after another way, from another body, and not for what is turned later", () => {
+  const spot = (x: number, y: number) => ({ x, y, z: -2.7 });
+  const motion = { kind: "feed", from: spot(20.3, 0), to: spot(0, -20.3), feed: 200, radius: 3.1, index: 4, turned: 2 } as const;
+  const arc = { ...motion, kind: "arc", centre: { x: 0, y: 0 }, turn: "ccw" } as const;
+  const side = { ...motion, kind: "arc", side: { plane: "ZX", centre: { x: 4.2, z: 1.3 }, turn: "cw" } } as const;
+  const none = { blank: [], stated: [], steps: [] }, end = { step: 1, fraction: 0 };
+  const prints = [motion, arc, { ...arc, turn: "cw" as const }, side, { ...motion, radius: 3.2 }].map((m) =>
+    printsOfMilled(blank, [m], none)(end)
+  );
+  expect(new Set(prints).size).toBe(5);
+  const on = (turned: StockMaker) => printsOfMilled(blank, [motion], turned)(end);
+  expect(on({ ...made, steps: [step(-3.101, 24), ...steps.slice(1)] })).not.toBe(on(made));
+  expect(on({ ...made, steps: [...steps.slice(0, 2), step(-15.2, 20.999)] })).toBe(on(made));
 });

@@ -69,10 +69,30 @@ export function printsOf({ blank, stated, steps }: StockMaker): PrintOf {
 /** A height that nobody knows, in a print: no program goes there, mm. */
 const NO_HEIGHT = 1e6;
 
-const withMotion = (print: number, { from, to, centre, turn, radius }: MillMotion): number =>
-  [from.x, from.y, from.z ?? NO_HEIGHT, to.x, to.y, to.z ?? NO_HEIGHT, centre?.x ?? 0, centre?.y ?? 0, turn === "cw" ? 1 : 2, radius]
-    .reduce(added, print);
+const turnPrint = (turn: MillMotion["turn"]): number => (turn === "cw" ? 1 : 2);
+/** A line adds nothing for its way, so that no arc is taken for one. */
+function wayPrint({ centre, turn, side }: MillMotion): readonly number[] {
+  if (side)
+    return [3, "XYZ".indexOf(side.plane[0] ?? ""), side.centre.x ?? 0, side.centre.y ?? 0, side.centre.z ?? 0, turnPrint(side.turn)];
+  return centre ? [4, centre.x, centre.y, turnPrint(turn)] : [];
+}
 
-/** The same of milled stock: `blank` are its outlines in the plane, those of each height. */
-export const printsOfMilled = (blank: readonly Ring[], motions: readonly MillMotion[]): PrintOf =>
-  printsAlong(motions, withRings(BASIS, blank), withMotion, (print) => print);
+function withMotion(print: number, m: MillMotion): number {
+  const { from, to, radius } = m;
+  return [from.x, from.y, from.z ?? NO_HEIGHT, to.x, to.y, to.z ?? NO_HEIGHT, ...wayPrint(m), radius].reduce(added, print);
+}
+
+/** A motion of a program that may turn as well: after which of its steps. */
+type MilledMotion = MillMotion & { readonly turned: number };
+
+/** The same of milled stock: `blank` are its outlines in the plane, those of each height; `turned` makes the body that is milled. */
+export function printsOfMilled(blank: readonly Ring[], motions: readonly MilledMotion[], turned: StockMaker): PrintOf {
+  const milled = printsAlong(motions, withRings(BASIS, blank), withMotion, (print) => print);
+  const before = turned.steps.length > 0 ? printsOf(turned) : null;
+  return (moment) => {
+    const own = milled(moment), last = motions[moment.block === undefined ? motions.length - 1 : Math.min(moment.step, motions.length - 1)];
+    if (own === null || !before) return own;
+    const body = before({ step: last?.turned ?? 0, fraction: 0, block: 0 });
+    return body && `${own} ${body}`;
+  };
+}

@@ -1,11 +1,14 @@
 import type { MeasuredKind, MeasuredPlace } from "../../kernel/measured.ts";
 import { part } from "../../kernel/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
+import { gauged } from "./figure.ts";
 import type { Snapping } from "./snap.ts";
 import { wallAt } from "./wall.ts";
 
-/** What a place that was picked leads to: a second one is waited for, something is measured, or the place is none for this tool. */
-export type Picked = { readonly waits: MeasuredPlace } | { readonly measured: readonly MeasuredPlace[] } | "nothing";
+/** Why a tool measures nothing: the place is none for it, the two have no distance its way, the two edges never meet. */
+export type PickedNothing = "nothing" | "level" | "parallel";
+/** What a place that was picked leads to: a second one is waited for, something is measured, or nothing is. */
+export type Picked = { readonly waits: MeasuredPlace } | { readonly measured: readonly MeasuredPlace[] } | PickedNothing;
 
 const sameEdge = (a: MeasuredPlace, b: MeasuredPlace): boolean =>
   a.edge !== undefined && a.edge.of === b.edge?.of && a.edge.chain === b.edge.chain && a.edge.element === b.edge.element;
@@ -30,11 +33,15 @@ export function pickedWith(kind: MeasuredKind, snapping: Snapping, place: Measur
     }
     case "angle":
       if (!first) return place.edge?.segment.kind === "line" ? { waits: place } : "nothing";
-      return { measured: onAxis(place) || sameEdge(first, place) ? [first] : [first, place] };
+      if (onAxis(place) || sameEdge(first, place)) return { measured: [first] };
+      return gauged(kind, [first, place], snapping.drawing.isTurned) ? { measured: [first, place] } : "parallel";
     case "length":
     case "depth":
-    case "distance":
+    case "distance": {
       if (!first) return { waits: place };
-      return part.apart(first.at, place.at) < SAME ? "nothing" : { measured: [first, place] };
+      if (part.apart(first.at, place.at) < SAME) return "nothing";
+      const way = part.difference(place.at, first.at), far = { length: way.z, depth: way.r, distance: Infinity }[kind];
+      return Math.abs(far) < SAME ? "level" : { measured: [first, place] };
+    }
   }
 }
