@@ -7,7 +7,6 @@ import { SLIVER } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { boxOf } from "../kernel/box.ts";
 import { cutting } from "./cutting.ts";
-import { thicknessOf } from "./extent.ts";
 import { machiningArea } from "./finished.ts";
 import { outlinesOf, type Outlines } from "./outlines.ts";
 import { reasonFor } from "./reason.ts";
@@ -19,6 +18,12 @@ import { coveredOn, hullAlong, type Sweep } from "./sweep.ts";
 export const LEAST_RESIDUAL = 0.01;
 
 const ORIGIN = at(0, 0);
+
+/** What is known of shapes: the outlines of tools, and how thick an area is. */
+export interface KnownShapes {
+  readonly outlines: (tool: Tool) => Outlines;
+  readonly thickness: (area: readonly Ring[]) => number;
+}
 
 /** Which path of a plan is meant, and with which insert. */
 type PathOf = (plan: Plan) => readonly Reach[];
@@ -83,24 +88,29 @@ function ownerOf(region: Region, operations: readonly SimulatedOperation[]): num
  * tool would take is oversize, or steps between passes where it stands out over the oversize. The rest the correction of a
  * tool leaves, or a machining limit, or it is explained by the stretch of the path that keeps the insert away.
  */
-export function residualOf(final: readonly Ring[], all: readonly SimulatedOperation[], outlines: (tool: Tool) => Outlines): Residual[] {
+export function residualOf(final: readonly Ring[], all: readonly SimulatedOperation[], known: KnownShapes): Residual[] {
   // An operation without a path has said why; that its whole area stays is no second finding.
   const operations = all.map((o) => (o.plan.moves.length > 0 ? o : { ...o, plan: { ...o.plan, area: [] } }));
   const area = machiningArea(operations);
-  return [...withinAreas(final, area, operations, outlines), ...overThreads(final, area, operations)];
+  return [...withinAreas(final, area, operations, known), ...overThreads(final, area, operations, known)];
 }
 
 /** What stands over the crest of a thread and is in the area of no operation: each thread leaves it between its grooves. */
-const overThreads = (final: readonly Ring[], area: readonly Ring[], operations: readonly SimulatedOperation[]): Residual[] =>
+const overThreads = (
+  final: readonly Ring[],
+  area: readonly Ring[],
+  operations: readonly SimulatedOperation[],
+  known: KnownShapes,
+): Residual[] =>
   operations.flatMap(({ plan }, operation) => {
     if (!plan.thread || plan.moves.length === 0) return [];
     const stands = opened(difference(intersection(final, [plan.thread.above]), area), SLIVER);
-    return regionsOf(stands, LEAST_RESIDUAL).map((region) => residualAt(region, operation, "overCrest"));
+    return regionsOf(stands, LEAST_RESIDUAL).map((region) => residualAt(region, operation, "overCrest", known));
   });
 
-const residualAt = (region: Region, operation: number, reason: Reason): Residual => ({
+const residualAt = (region: Region, operation: number, reason: Reason, { thickness }: KnownShapes): Residual => ({
   area: region.area,
-  thickness: thicknessOf([region.outline, ...region.holes]),
+  thickness: thickness([region.outline, ...region.holes]),
   reason,
   ring: region.outline,
   place: placeIn(region.outline),
@@ -112,8 +122,9 @@ function withinAreas(
   final: readonly Ring[],
   whole: readonly Ring[],
   operations: readonly SimulatedOperation[],
-  outlines: (tool: Tool) => Outlines,
+  known: KnownShapes,
 ): Residual[] {
+  const { outlines } = known;
   const left = opened(intersection(final, whole), SLIVER);
   if (areaOf(left) <= LEAST_RESIDUAL) return [];
   const after = (area: readonly Ring[], pathOf: PathOf, bare = false) => opened(leftBy(area, operations, outlines, pathOf, bare), SLIVER);
@@ -131,7 +142,7 @@ function withinAreas(
   const described = (area: readonly Ring[], because: (ring: Ring, owner: SimulatedOperation) => Reason): Residual[] =>
     regionsOf(area, LEAST_RESIDUAL).map((region) => {
       const operation = ownerOf(region, operations);
-      return residualAt(region, operation, because(region.outline, operations[operation] as SimulatedOperation));
+      return residualAt(region, operation, because(region.outline, operations[operation] as SimulatedOperation), known);
     });
   return [
     ...described(kept, (ring, owner) => reasonFor(ring, owner, outlines(toolOf(owner)))),

@@ -32,5 +32,7 @@ export function sameSteps(): (a: Step, b: Step) => boolean {
   const sameTool = (a: Tool, b: Tool): boolean => a === b || writing(a) === writing(b);
   const sameBringing = (a: Step, b: Step): boolean => (a.broughtBy === undefined) === (b.broughtBy === undefined);
   return (a, b) =>
-    a.operation === b.operation && sameBringing(a, b) && samePoint(a.from, b.from) && sameMove(a.move, b.move) && sameTool(a.tool, b.tool);
+    a === b
+    || (a.operation === b.operation && sameBringing(a, b) && samePoint(a.from, b.from) && sameMove(a.move, b.move)
+      && sameTool(a.tool, b.tool));
 }

@@ -7,11 +7,13 @@ import { collector } from "./collect.ts";
 import { inStock } from "./contact.ts";
 import { cutting, type Cutting } from "./cutting.ts";
 import { sidesOf } from "./edges.ts";
+import { thicknessOf } from "./extent.ts";
 import { finishedPart } from "./finished.ts";
 import { marksOf } from "./marks.ts";
 import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
-import { residualOf } from "./residual.ts";
+import { recalling } from "./recall.ts";
+import { residualOf, type KnownShapes } from "./residual.ts";
 import { resumed, snapshotSteps, type Former, type Resumed } from "./resume.ts";
 import type { Depth, StockFinding, Proof, Residual, SimulatedOperation, Simulation, SimulationInput } from "./simulation.ts";
 import { statedBlanks } from "./stated.ts";
@@ -37,7 +39,7 @@ const total = (findings: readonly StockFinding[], kind: StockFinding["kind"]) =>
  * The work as it is held: what an outline that is stated later takes the place of is judged as it stood until then, and the contours
  * of before say nothing of what comes behind.
  */
-function setupsOf(operations: readonly SimulatedOperation[], outlines: ReturnType<typeof outlinesOf>) {
+function setupsOf(operations: readonly SimulatedOperation[], shapes: KnownShapes) {
   const left: Residual[] = [];
   let first = 0;
   const known = (from: number): Finished => {
@@ -47,7 +49,7 @@ function setupsOf(operations: readonly SimulatedOperation[], outlines: ReturnTyp
   const atFirst = known(0);
   let finished = atFirst;
   const until = (stock: readonly Ring[], end: number): Residual[] =>
-    residualOf(stock, operations.slice(first, end), outlines).map((r) => ({ ...r, operation: r.operation + first }));
+    residualOf(stock, operations.slice(first, end), shapes).map((r) => ({ ...r, operation: r.operation + first }));
   return {
     atFirst,
     finished: () => finished,
@@ -116,7 +118,7 @@ function damageBefore(
 type Look = (step: Step, index: number) => { readonly sweep: Sweep; readonly check: (cut: Cutting) => StockFinding[] };
 
 /** Cuts the blank by every step and looks at each before it cuts. */
-export const simulate = (input: SimulationInput): Simulation => simulated(input, null).simulation;
+export const simulate = (input: SimulationInput): Simulation => simulated(input, null, thicknessOf).simulation;
 
 /**
  * Simulates runs one after the other. What comes is the same as of `simulate`; what the beginning of a run has in common with the run
@@ -124,19 +126,25 @@ export const simulate = (input: SimulationInput): Simulation => simulated(input,
  */
 export function simulating(): (input: SimulationInput) => Simulation {
   let former: Former | null = null;
+  const thickness = recalling(thicknessOf);
   return (input) => {
     const before = former;
     former = null;
-    const { simulation, kept } = simulated(input, before);
+    thickness.next();
+    const { simulation, kept } = simulated(input, before, thickness.of);
     former = kept;
     return simulation;
   };
 }
 
-function simulated(input: SimulationInput, former: Former | null): { readonly simulation: Simulation; readonly kept: Former | null } {
+function simulated(
+  input: SimulationInput,
+  former: Former | null,
+  thickness: KnownShapes["thickness"],
+): { readonly simulation: Simulation; readonly kept: Former | null } {
   const { blank, steps, operations, unproved } = input;
   const outlines = outlinesOf();
-  const setups = setupsOf(operations, outlines);
+  const setups = setupsOf(operations, { outlines, thickness });
   const look: Look = (step, index) => {
     const shapes = outlines(step.tool);
     const sweep = sweptBy(shapes.insert, step);
@@ -147,7 +155,7 @@ function simulated(input: SimulationInput, former: Former | null): { readonly si
   const from = resume?.from;
   const damage = former && resume ? damageBefore(resume, former, input, look) : new Map<number, readonly StockFinding[]>();
   // Where nobody looks any more depends on all that was found before.
-  if (damage.size >= MOST_CONTACTS && resume) return simulated(input, null);
+  if (damage.size >= MOST_CONTACTS && resume) return simulated(input, null, thickness);
   const marks = marksOf(former && from ? former.marks.slice(0, from.marks) : [{ step: 0, stock: packed(blank) }]);
   const measure = measuring(operations, blank, former && from ? { state: from.measure, step: from.step, sums: former.sums } : null);
   const snapshots = former && from ? former.snapshots.filter(({ step }) => step <= from.step) : [];
