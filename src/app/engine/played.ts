@@ -1,6 +1,8 @@
 import { spindleAt } from "../../sim/load/spindles.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
 import { playerOf, sameBlank } from "../../sim/stock.ts";
-import { stockPainter, type PaintedRun, type StockLook } from "../../view/material/stock-painter.ts";
+import type { Patch } from "../../view/material/pen.ts";
+import { paintShop, stockPainter, type PaintedRun, type StockLook } from "../../view/material/stock-painter.ts";
 import { surfacesOf } from "../../view/material/surfaces.ts";
 import { positionAt, trackOf, type PlayedTrack } from "../../view/playback.ts";
 import { dayMoment, stopwatch } from "../clock.ts";
@@ -40,6 +42,30 @@ function playableOf(outcome: Outcome): Playable {
   return made;
 }
 
+/** The work and what stands round it, painted for another look. */
+export interface StockPictures {
+  readonly work: ImageBitmap;
+  readonly shop: ImageBitmap;
+}
+
+const sized = ({ width, height }: Patch, ratio: number) => [Math.round(width * ratio), Math.round(height * ratio)] as const;
+
+function painted(part: Patch, ratio: number, paint: (pen: OffscreenCanvasRenderingContext2D) => void): ImageBitmap {
+  const canvas = new OffscreenCanvas(...sized(part, ratio)), pen = canvas.getContext("2d");
+  if (pen) paint(pen);
+  return canvas.transferToImageBitmap();
+}
+
+/** Paints an outcome as it stands at a position. */
+export function stockPictures(outcome: Outcome, look: StockLook, position: PlayPosition): StockPictures {
+  const painter = stockPainter(playableOf(outcome).run);
+  painter.goTo(position);
+  return {
+    work: painted(look.origin, look.ratio, (pen) => painter.all(pen, look)),
+    shop: painted(look.room, look.ratio, (pen) => paintShop(pen, { ...look, origin: look.room }, look.origin)),
+  };
+}
+
 let here: { readonly name: string; readonly canvas: OffscreenCanvas } | null = null;
 /** Counts the plays: one ends where the next one begins. */
 let played = 0;
@@ -62,7 +88,7 @@ export async function play(outcome: Outcome, on: PlayedOn, look: StockLook, cour
   const pen = here?.name === on.name && "requestAnimationFrame" in self ? here.canvas.getContext("2d") : null;
   if (!pen) return false;
   const { run, track } = playableOf(outcome), { canvas } = pen;
-  const [width, height] = [look.origin.width, look.origin.height].map((side) => Math.round(side * look.ratio)) as [number, number];
+  const [width, height] = sized(look.origin, look.ratio);
   if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
   const painter = stockPainter(run);
   const at = (now: number) => positionAt(track, course.seconds + (course.rate * (dayMoment(now) - course.since)) / 1000);

@@ -1,13 +1,13 @@
-import { expose } from "comlink";
+import { expose, transfer } from "comlink";
 import { z } from "zod/mini";
-import type { Simulation } from "../../sim/simulation.ts";
+import type { PlayPosition, Simulation } from "../../sim/simulation.ts";
 import type { StockLook } from "../../view/material/stock-painter.ts";
 import { stopwatch } from "../clock.ts";
 import type { advice } from "./advice.ts";
 import { engine, makersAgain } from "./engine.ts";
 import { loadRequestOf, type KnownOutcome, type LoadRequest } from "./load-request.ts";
 import type { Outcome, Stage } from "./outcome.ts";
-import type { PlayedCourse, PlayedOn } from "./played.ts";
+import type { PlayedCourse, PlayedOn, StockPictures } from "./played.ts";
 import type { reported } from "./reported.ts";
 import type { Request } from "./request.ts";
 import { wireOutcomes } from "./wire.ts";
@@ -71,6 +71,13 @@ const served = {
     const outcome = newest;
     if (!outcome || !knownRequest(of)) return false;
     return await (await fetchPlayed()).play(outcome, on, look, course);
+  },
+  /** Paints the newest outcome as it stands; null when it is not the one that is asked for. */
+  async stockPictures(of: KnownOutcome, look: StockLook, position: PlayPosition): Promise<StockPictures | null> {
+    const outcome = newest, { stockPictures } = await fetchPlayed();
+    if (!outcome || !knownRequest(of)) return null;
+    const made = stockPictures(outcome, look, position);
+    return transfer(made, [made.work, made.shop]);
   },
   stopPlaying: async () => (await fetchPlayed()).stopPlaying(),
   fitsOfWork: async (...asked: Parameters<Advice["fitsOfWork"]>) => (await fetchAdvice()).fitsOfWork(...asked),

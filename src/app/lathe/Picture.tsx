@@ -1,4 +1,5 @@
 import { memo, useEffect, useId, useMemo, useRef } from "react";
+import type { Camera } from "../../view/camera.ts";
 import type { Ring } from "../../kernel/point.ts";
 import type { Run } from "../../program/run-types.ts";
 import { ringData } from "../../view/path.ts";
@@ -35,8 +36,11 @@ const Rings = memo(
 function ResidualHatch({ viewport, id }: { readonly viewport: Viewport; readonly id: string }) {
   const defs = useRef<SVGDefsElement>(null);
   useEffect(() => {
+    let laid: Camera | null = null;
     const follow = () => {
       const camera = viewport.drawn(), unit = 1 / camera.scale;
+      if (camera === laid) return;
+      laid = camera;
       for (const pattern of defs.current?.querySelectorAll("pattern") ?? []) {
         pattern.setAttribute("patternTransform", `scale(${unit} ${camera.xUp ? -unit : unit}) rotate(${pattern.dataset["angle"] ?? "0"})`);
       }

@@ -1,13 +1,13 @@
 import { useEffect, useRef } from "react";
-import { sheetShift, type Place } from "../../view/camera.ts";
+import { sheetShift, type Camera, type Place } from "../../view/camera.ts";
 import { transform } from "../../view/svg.ts";
 import type { Viewport } from "./viewport.ts";
 
 const CORNER: Place = { x: 0, y: 0 };
 
-/** Lays a sheet that is drawn for `viewport.drawn()`, its corner at a place of the picture, to where the picture looks now. */
-export function shiftSheet({ style }: ElementCSSInlineStyle, viewport: Viewport, { x, y }: Place = CORNER): void {
-  const now = viewport.get(), drawn = viewport.drawn();
+/** Lays a sheet that is drawn for a camera, its corner at a place of the picture, to where the picture looks now. */
+export function shiftSheet({ style }: ElementCSSInlineStyle, viewport: Viewport, { x, y } = CORNER, drawn = viewport.drawn()): void {
+  const now = viewport.get();
   if (now === drawn) return void style.removeProperty("transform");
   const shift = sheetShift(drawn, now);
   style.transform = `translate(${shift.x + x * (shift.grown - 1)}px, ${shift.y + y * (shift.grown - 1)}px) scale(${shift.grown})`;
@@ -22,9 +22,11 @@ export function World({ viewport, shifts = false, children }: { readonly viewpor
 {
   const group = useRef<SVGGElement>(null);
   useEffect(() => {
+    let laid: Camera | null = null;
     const follow = () => {
-      const element = group.current, sheet = element?.ownerSVGElement;
-      element?.setAttribute("transform", transform(shifts ? viewport.drawn() : viewport.get()));
+      const element = group.current, sheet = element?.ownerSVGElement, camera = shifts ? viewport.drawn() : viewport.get();
+      if (camera !== laid) element?.setAttribute("transform", transform(camera));
+      laid = camera;
       if (shifts && sheet) shiftSheet(sheet, viewport);
     };
     follow();

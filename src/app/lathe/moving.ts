@@ -36,6 +36,3 @@ export const stepIndex = (steps: readonly Step[], position: PlayPosition): numbe
 
 /** What made the surfaces of a run, with its spindle for feeds per minute. */
 export const surfacesOfRun = ({ steps, spindles }: Run): Surfaces => surfacesOf(steps, (step) => spindleAt(spindles, step));
-
-/** The surfaces of a blank that nobody has touched. */
-export const UNTOUCHED: Surfaces = surfacesOf([]);

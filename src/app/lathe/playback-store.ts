@@ -9,6 +9,8 @@ export interface PlaybackStore {
   readonly shown: () => PlayPosition;
   /** The moment of the clock that the position belongs to, ms; null at rest, without motion, and where time does not pass by itself. */
   readonly since: () => number | null;
+  /** Whether time passes by itself. */
+  readonly flows: boolean;
   readonly dispatch: (action: Action) => void;
   /** Calls after each change; returns what ends it. */
   readonly subscribe: (listener: () => void) => () => void;
@@ -61,6 +63,7 @@ export function createPlaybackStore(clock: Clock): PlaybackStore {
   return {
     get: () => state,
     shown: () => (still && state.playing ? settled(state.position) : state.position),
+    flows: clock.flows,
     since: () => (state.playing && !still && clock.flows ? last : null),
     dispatch(action) {
       if (!state.playing) last = clock.now();

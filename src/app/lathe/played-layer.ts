@@ -50,8 +50,8 @@ function drop(holder: HTMLElement): void {
 
 const canPaint = () => typeof HTMLCanvasElement !== "undefined" && "transferControlToOffscreen" in HTMLCanvasElement.prototype;
 
-/** The open work by its version, when it is the one whose steps are played. */
-function knownOf(steps: readonly Step[]): KnownOutcome | null {
+/** The open work by its version, when it is the one whose steps are played: the worker has it. */
+export function knownOf(steps: readonly Step[]): KnownOutcome | null {
   const { shown } = useOutcome.getState();
   return shown?.run.steps === steps ? { version: shown.version, moves: steps.length } : null;
 }

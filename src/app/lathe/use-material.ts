@@ -4,8 +4,8 @@ import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { chipsOf } from "../../sim/chip/chips.ts";
 import { blanksOf, playerOf, sameBlank, type Player } from "../../sim/stock.ts";
-import type { Surfaces } from "../../view/material/surfaces.ts";
-import { surfacesOfRun, UNTOUCHED, type Moving } from "./moving.ts";
+import { UNTOUCHED, type Surfaces } from "../../view/material/surfaces.ts";
+import { surfacesOfRun, type Moving } from "./moving.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
 /** A run with its simulation; without one as long as it is only planned. */

@@ -3,9 +3,9 @@ import type { Step } from "../../kernel/step.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Camera } from "../camera.ts";
 import { paintMaterial, type Material } from "./paint.ts";
-import type { Easel } from "./easel.ts";
+import { asPage, type Easel } from "./easel.ts";
 import type { Patch, Pen } from "./pen.ts";
-import type { Surfaces } from "./surfaces.ts";
+import { UNTOUCHED, type Surfaces } from "./surfaces.ts";
 import { patchWithin, touchedBetween, turnedPatchOf } from "./touched.ts";
 
 /** A run whose stock is painted. */
@@ -30,12 +30,28 @@ export interface StockLook extends Pick<Material, "section" | "chuck">, Pick<Eas
 export interface StockPainter {
   /** Goes to another moment without painting. */
   readonly goTo: (position: PlayPosition) => void;
-  /** The stock at the moment. */
+  /** The moment, and the stock at it. */
+  readonly at: () => PlayPosition;
   readonly rings: () => readonly Ring[];
   /** Paints all of it as it is at the moment. */
   readonly all: (pen: Pen, look: StockLook) => void;
   /** Goes to another moment and paints what looks different there; false when nothing does. */
   readonly follow: (pen: Pen, look: StockLook, position: PlayPosition) => boolean;
+}
+
+/** A blank that nothing moves at. */
+export const untouchedRun = (blank: readonly Ring[]): PaintedRun => ({
+  steps: [],
+  stockAt: () => blank,
+  isSameBlank: () => true,
+  surfaces: UNTOUCHED,
+});
+
+/** Paints what stands there without the work, and leaves out where that is painted. */
+export function paintShop(pen: Pen, look: StockLook, { x, y, width, height }: Patch): void {
+  stockPainter(untouchedRun([])).all(pen, look);
+  asPage({ pen, ...look });
+  pen.clearRect(x, y, width, height);
 }
 
 /** How far from the axis there is material, mm. */
@@ -58,6 +74,7 @@ export function stockPainter({ steps, stockAt, isSameBlank, surfaces }: PaintedR
     paintMaterial(pen, { rings, section, now, surfaces, chuck }, camera, look, patch);
   return {
     goTo,
+    at: () => now,
     rings: () => rings,
     all: (pen, look) => paint(pen, look, look.origin),
     follow(pen, look, position) {

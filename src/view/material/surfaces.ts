@@ -176,3 +176,6 @@ export function surfacesOf(steps: readonly Step[], spindleOf: (step: number) => 
     },
   };
 }
+
+/** The surfaces of a blank that nobody has touched. */
+export const UNTOUCHED: Surfaces = surfacesOf([]);

@@ -1,0 +1,195 @@
+import type { Ring } from "../../kernel/point.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
+import { boundsOf } from "../../view/bounds.ts";
+import type { Camera } from "../../view/camera.ts";
+import type { ChuckDrawing } from "../../view/material/chuck.ts";
+import type { Patch } from "../../view/material/pen.ts";
+import type { MaterialColours } from "../../view/material/easel.ts";
+import { farthest, paintShop, stockPainter, untouchedRun, type StockLook } from "../../view/material/stock-painter.ts";
+import { patchWithin, turnedPatchOf } from "../../view/material/touched.ts";
+import type { KnownOutcome } from "../engine/load-request.ts";
+import type { StockPictures } from "../engine/played.ts";
+import { askWorker } from "../engine/worker-life.ts";
+import type { SectionView } from "../settings/settings.ts";
+import { fitCanvas } from "./fit-canvas.ts";
+import type { Moving } from "./moving.ts";
+import { knownOf, playedLayer } from "./played-layer.ts";
+import { pageColours } from "./use-theme-colours.ts";
+import { drawnRoom, type Viewport } from "./viewport.ts";
+import { shiftSheet } from "./World.tsx";
+
+const COLOURS = {
+  ground: "--material",
+  hatch: "--material-hatch",
+  edge: "--steel-edge",
+  steelDark: "--steel-dark",
+  steel: "--steel",
+  steelLight: "--steel-light",
+  chuckDark: "--chuck-dark",
+  chuck: "--chuck",
+  chuckLight: "--chuck-light",
+} as const satisfies Record<keyof MaterialColours, string>;
+
+const NOWHERE: Patch = { x: 0, y: 0, width: 0, height: 0 };
+
+/** So long the worker may paint for another look before the page does it, ms: what is drawn is shifted meanwhile. */
+const PATIENCE = 150;
+
+const isSamePlace = (a: PlayPosition, b: PlayPosition) => a.step === b.step && a.fraction === b.fraction;
+
+/** What the worker paints for a look, or null when it does not, or not soon. */
+async function stockPictures(of: KnownOutcome, look: StockLook, position: PlayPosition): Promise<StockPictures | null> {
+  const late = new Promise<null>((done) => setTimeout(() => done(null), PATIENCE));
+  try {
+    return await Promise.race([askWorker((engine) => engine.stockPictures(of, look, position)), late]);
+  } catch {
+    return null;
+  }
+}
+
+/** The canvases of a sheet from back to front: what stands round the work, the work as the page paints it, and as the worker gave it. */
+export interface SheetCanvases {
+  readonly under: HTMLCanvasElement;
+  readonly over: HTMLCanvasElement;
+  readonly given: HTMLCanvasElement;
+  /** Where the worker's own layer is laid over them while it plays. */
+  readonly holder: HTMLElement;
+}
+
+/** What a sheet shows. */
+export interface SheetScene {
+  readonly viewport: Viewport;
+  readonly moving: Moving | null;
+  /** What stands there before anything moves. */
+  readonly blank: readonly Ring[];
+  readonly section: SectionView;
+  readonly chuck: ChuckDrawing | null;
+  readonly theme: number;
+}
+
+/** What the canvases show, kept from one scene to the next: painted again only when that is something else. */
+export interface SheetMemory {
+  ground: string;
+  work: readonly unknown[];
+}
+
+/** Paints a scene, and follows its camera and its playback; returns what ends that. */
+export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: SheetMemory): () => void {
+  const { under, over, given, holder } = canvases, { viewport, moving, blank, section, chuck, theme } = scene;
+  const shop = under.getContext("bitmaprenderer"), pen = over.getContext("2d"), frame = given.getContext("bitmaprenderer");
+  if (!shop || !pen || !frame) return () => undefined;
+  const colours = pageColours(COLOURS), blanks = moving?.blanks ?? blank;
+  const box = boundsOf(blanks.flat()), widest = { outer: farthest(blanks), along: 0 };
+  const painter = stockPainter(moving ?? untouchedRun(blank)), playback = moving?.playback;
+  const played = moving ? playedLayer(holder, moving.steps, moving.playback) : null;
+  let camera = viewport.drawn(), room = drawnRoom(viewport.size()), ratio = devicePixelRatio, work: Patch = NOWHERE;
+  /** The camera for which the worker is painting. */
+  let awaited: Camera | null = null;
+  const look = (): StockLook => ({ section, chuck, camera, colours, ratio, origin: work, room });
+  /** Looks where the picture is to be drawn for; what is painted from now on is painted for that. */
+  const turn = () => {
+    [camera, room, ratio] = [viewport.drawn(), drawnRoom(viewport.size()), devicePixelRatio];
+    work = (box && patchWithin(turnedPatchOf(box, camera, widest, ratio), room)) ?? NOWHERE;
+  };
+  const shift = () => {
+    shiftSheet(under, viewport, room, camera);
+    for (const sheet of [over, given, played?.canvas()]) if (sheet) shiftSheet(sheet, viewport, work, camera);
+  };
+  let shows: "own" | "given" | "played" = given.style.visibility === "" ? "given" : "own";
+  const show = (which: typeof shows) => {
+    shows = which;
+    over.style.visibility = which === "own" ? "" : "hidden";
+    given.style.visibility = which === "given" ? "" : "hidden";
+  };
+  /** Before anything is painted on what the worker has given, it is copied. */
+  const own = () => {
+    if (shows === "own") return;
+    if (shows === "given") {
+      fitCanvas(over, work);
+      pen.setTransform(1, 0, 0, 1, 0, 0);
+      pen.drawImage(given, 0, 0);
+    }
+    show("own");
+  };
+  const groundKey = () => JSON.stringify([theme, section, chuck, camera, room, ratio, work]);
+  // A planned path has the stock of before: nothing is painted then, whatever step of the new path that is.
+  const workKey = () => [painter.rings(), moving?.surfaces, section, theme, camera, ratio, JSON.stringify([chuck, work])];
+  const paintGround = () => {
+    const seen = groundKey();
+    if (seen === memory.ground) return;
+    memory.ground = seen;
+    fitCanvas(under, room);
+    const easel = new OffscreenCanvas(under.width, under.height), below = easel.getContext("2d");
+    if (below) paintShop(below, { ...look(), origin: room }, work);
+    shop.transferFromImageBitmap(easel.transferToImageBitmap());
+  };
+  const paintAll = () => {
+    awaited = null;
+    played?.stop();
+    if (playback) painter.goTo(playback.shown());
+    turn();
+    paintGround();
+    if (shows === "played") show("own");
+    const looks = workKey();
+    if (looks.every((each, i) => each === memory.work[i])) return;
+    memory.work = looks;
+    show("own");
+    fitCanvas(over, work);
+    painter.all(pen, look());
+  };
+  /** Shows what the worker has painted. */
+  const take = ({ work: stock, shop: around }: StockPictures, position: PlayPosition) => {
+    awaited = null;
+    played?.stop();
+    painter.goTo(position);
+    turn();
+    [memory.ground, memory.work] = [groundKey(), workKey()];
+    fitCanvas(under, room);
+    shop.transferFromImageBitmap(around);
+    fitCanvas(given, work);
+    frame.transferFromImageBitmap(stock);
+    show("given");
+    if (playback?.shown() !== position) paintMoved();
+  };
+  /** Has the work painted for where the picture looks now; what is painted for before is shifted there until then. */
+  const lookAnew = async (of: KnownOutcome, position: PlayPosition) => {
+    const next = viewport.drawn(), place = drawnRoom(viewport.size());
+    awaited = next;
+    const origin = (box && patchWithin(turnedPatchOf(box, next, widest, devicePixelRatio), place)) ?? NOWHERE;
+    const made = await stockPictures(of, { ...look(), camera: next, room: place, ratio: devicePixelRatio, origin }, position);
+    if (awaited !== next) return;
+    if (made) take(made, position);
+    else paintAll();
+    shift();
+  };
+  const follow = () => {
+    const of = moving && playback?.flows && viewport.drawn().xUp === camera.xUp ? knownOf(moving.steps) : null;
+    const now = viewport.drawn();
+    if (now === camera) awaited = null;
+    else if (!of || !playback) paintAll();
+    else if (now !== awaited) void lookAnew(of, playback.shown());
+    shift();
+  };
+  let waits = false;
+  const paintMoved = () => {
+    if (!playback) return;
+    if (played?.follow(look)) {
+      if (shows === "given") own();
+      return show("played");
+    }
+    // The eye follows the tool: while it plays the material follows with every second picture.
+    waits = !waits && playback.get().playing;
+    if (waits || (shows !== "played" && isSamePlace(painter.at(), playback.shown()))) return;
+    own();
+    if (painter.follow(pen, look(), playback.shown())) memory.work = [];
+  };
+  show(shows);
+  paintAll();
+  shift();
+  const ends = [viewport.subscribe(follow), playback?.subscribe(paintMoved), played?.stop];
+  return () => {
+    awaited = null;
+    if (shows === "played") show("own");
+    ends.forEach((end) => end?.());
+  };
+}
