@@ -9,6 +9,7 @@ import type { LatheResult } from "../lathe/use-material.ts";
 import { GlyphButton } from "../lathe/GlyphButton.tsx";
 import { pressKey } from "../lathe/keys.ts";
 import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
+import { seenFlat } from "../lathe/seeing.ts";
 import { usePlaces } from "../lathe/places.ts";
 import { PlaybackBar } from "../lathe/PlaybackBar.tsx";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
@@ -150,9 +151,9 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
         >
           <PlanePoints viewport={viewport} approaches={approaches} speech={speech} id={id} />
           <FreePoints viewport={viewport} places={places} speech={speech} />
-          <PlaceLines viewport={viewport} places={places} />
+          <PlaceLines seeing={seenFlat(viewport)} places={places} />
         </PlanePicture>
-        <PlaceButtons viewport={viewport} places={places} chosen={chosen} choose={choose} />
+        <PlaceButtons seeing={seenFlat(viewport)} places={places} chosen={chosen} choose={choose} />
         <MilledLegend milled={milled} />
         <Measurements viewport={viewport} measuring={measuring} source={source} />
         {dimmed && <Outdated />}

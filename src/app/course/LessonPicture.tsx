@@ -11,6 +11,7 @@ import type { Outcome } from "../engine/outcome.ts";
 import { useLong } from "../engine/use-long.ts";
 import { Marks } from "../lathe/Marks.tsx";
 import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
+import { seenFlat } from "../lathe/seeing.ts";
 import { Picture } from "../lathe/Picture.tsx";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { statusText } from "../lathe/Readout.tsx";
@@ -155,7 +156,7 @@ export function LessonPicture({ outcome, page, playback, waits, failed, slid }: 
             <Marks viewport={viewport} starts={starts} datum={datum} />
             {told && (
               <Suspense>
-                <LoadMark of={told} run={run} viewport={viewport} />
+                <LoadMark of={told} run={run} seeing={seenFlat(viewport)} />
               </Suspense>
             )}
             {leads.length > 0 && (
@@ -163,9 +164,9 @@ export function LessonPicture({ outcome, page, playback, waits, failed, slid }: 
                 <TurnPoints viewport={viewport} approaches={leads} />
               </Suspense>
             )}
-            <PlaceLines viewport={viewport} places={seen} />
+            <PlaceLines seeing={seenFlat(viewport)} places={seen} />
           </Picture>
-          <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
+          <PlaceButtons seeing={seenFlat(viewport)} places={seen} chosen={chosen} choose={choose} />
           <p className="lesson-checking small" role="status">{failed ? t.picture.failed : isLong && texts.lathe.checking}</p>
         </div>
         <LessonBar playback={playback} stretch={stretch} run={run} lines={page.program} />

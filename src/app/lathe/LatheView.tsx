@@ -30,6 +30,7 @@ import { Marks } from "./Marks.tsx";
 import { MoveTable } from "./MoveTable.tsx";
 import { Picture } from "./Picture.tsx";
 import { PlaceButtons, PlaceLines } from "./PlaceButtons.tsx";
+import { seenFlat } from "./seeing.ts";
 import { usePlaces, type LookAt } from "./places.ts";
 import { PlaybackBar } from "./PlaybackBar.tsx";
 import type { PlaybackStore } from "./playback-store.ts";
@@ -38,7 +39,7 @@ import { placeText } from "./running.ts";
 import { StepList } from "./StepList.tsx";
 import { useTold } from "./told.ts";
 import { Timeline } from "./Timeline.tsx";
-import { useLooking } from "./use-looking.ts";
+import { lookingAt, useLooking } from "./use-looking.ts";
 import { stretchesOf, useShownPath } from "./use-paths.ts";
 import { usePicking } from "./use-picking.ts";
 import { usePlayback } from "./use-playback.ts";
@@ -171,7 +172,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const { told } = useTold();
   const found = usePlaces("ZX"), places = told?.places ?? (dimmed || !simulation ? NOWHERE : found);
   const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
-  const { chosen, choose } = useLooking(places, viewport, playback);
+  const { chosen, choose } = useLooking(places, useMemo(() => lookingAt([viewport, solid.drawn]), [viewport, solid.drawn]), playback);
   const seen = places.filter((each) => ended || told || each.kind === "finding" || each === chosen);
   const residual = told?.left ?? (ended && simulation ? simulation.proof.residual.map(({ ring }) => ring) : NO_RINGS);
   const gouges = told?.missing ?? simulation?.findings.flatMap(({ rings }) => rings) ?? NO_RINGS;
@@ -204,7 +205,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
               hovered={<HoveredMove run={run} hover={hover} />}
             >
               <Marks viewport={viewport} starts={starts} datum={datum} />
-              <LoadPart.Mark run={run} viewport={viewport} />
+              <LoadPart.Mark run={run} seeing={seenFlat(viewport)} />
               {typed && <KnownMarks viewport={viewport} known={typed} />}
               {!typed && known && <AskedMarks viewport={viewport} known={known} />}
               {run.steps.length > 0 && <ToolAway viewport={viewport} playback={playback} steps={run.steps} />}
@@ -213,15 +214,16 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
                   <TurnPoints viewport={viewport} approaches={leads} />
                 </Suspense>
               )}
-              <PlaceLines viewport={viewport} places={seen} />
+              <PlaceLines seeing={seenFlat(viewport)} places={seen} />
             </Picture>
-            <PlaceButtons viewport={viewport} places={seen} chosen={chosen} choose={choose} />
+            <PlaceButtons seeing={seenFlat(viewport)} places={seen} chosen={chosen} choose={choose} />
             <Measurements viewport={viewport} measuring={measuring} source={source} />
           </>
         )}
         {solid.work && (
           <Suspense>
-            <SolidView work={solid.work} run={run} lines={path.has} state={state} clock={clock} onDrawn={solid.setDrawn} />
+            <SolidView work={solid.work} run={run} lines={path.has} state={state} clock={clock} places={seen} chosen={chosen}
+              choose={choose} onDrawn={solid.setDrawn} />
           </Suspense>
         )}
         {run.steps.length === 0 && run.blank.length === 0 && (

@@ -5,10 +5,19 @@ import type { PlaybackStore } from "./playback-store.ts";
 import type { Viewport } from "./viewport.ts";
 import type { LookAt } from "./places.ts";
 
+/** What a picture does to show a place, and everything again. */
+type Looks = Pick<Viewport, "fit" | "show">;
+
+/** Several pictures of one work look at the same place. */
+export const lookingAt = (pictures: readonly (Looks | null)[]): Looks => ({
+  fit: () => pictures.forEach((each) => each?.fit()),
+  show: (bounds) => pictures.forEach((each) => each?.show(bounds)),
+});
+
 /** The place that is looked at, chosen in the list or in the picture: the picture goes near it, and playback to its moment. */
 export function useLooking<P extends Pick<LookAt, "id" | "bounds" | "position">>(
   places: readonly P[],
-  viewport: Viewport,
+  viewport: Looks,
   playback: PlaybackStore,
 ) {
   const { id, count } = useChosen();

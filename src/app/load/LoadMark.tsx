@@ -1,14 +1,12 @@
 import type { Run } from "../../program/run-types.ts";
-import { toScreen } from "../../view/camera.ts";
-import { useCamera } from "../lathe/use-camera.ts";
-import type { Viewport } from "../lathe/viewport.ts";
+import { useSeeing, type Seeing } from "../lathe/seeing.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useGreatest, useLoadTexts, loadValue, type Told } from "./use-load.ts";
 
 export interface LoadMarkProps {
   readonly of: Told;
   readonly run: Run;
-  readonly viewport: Viewport;
+  readonly seeing: Seeing;
 }
 
 /** The mark of the worst place, pixels: its half size, and how far beside it the number stands. */
@@ -16,12 +14,13 @@ const HALF = 9;
 const ASIDE = 14;
 
 /** The worst place, marked and with its value. */
-export function LoadMark({ of, run, viewport }: LoadMarkProps) {
+export function LoadMark({ of, run, seeing }: LoadMarkProps) {
   const t = useLoadTexts(), language = useSettings((s) => s.language);
-  const camera = useCamera(viewport), { width } = viewport.size();
+  const seen = useSeeing(seeing), { width } = seen.size();
   const { worst } = useGreatest(run, of) ?? {};
-  if (!worst) return null;
-  const { x, y } = toScreen(camera, worst.place), isRight = x > width / 2;
+  const at = worst && seen.at(worst.place);
+  if (!worst || !at) return null;
+  const { x, y } = at, isRight = x > width / 2;
   return (
     <g className="load-mark" aria-hidden="true">
       <path d={`M${x - HALF} ${y}L${x} ${y - HALF}L${x + HALF} ${y}L${x} ${y + HALF}Z`} />

@@ -5,13 +5,16 @@ import type { SolidTexts } from "../../i18n/en/solid.ts";
 import { pathInSpace, segmentsInSpace } from "../../view/solid/path-lines.ts";
 import { NAMED_VIEWS } from "../../view/solid/orbit.ts";
 import type { Clock } from "../clock.ts";
+import type { LookAt } from "../lathe/places.ts";
+import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
 import { pageColours, useTheme } from "../lathe/use-theme-colours.ts";
 import type { Viewport } from "../lathe/viewport.ts";
+import { LoadPart } from "../load/LoadParts.tsx";
 import { useLoadDrawing } from "../load/use-drawing.ts";
 import { reducedMotion } from "../settings/appearance.ts";
 import { laterTexts } from "../settings/later-texts.ts";
 import { changeSettings, useSettings } from "../settings/settings.ts";
-import { createEye, type Eye } from "./eye.ts";
+import { createEye, seenInSpace, type Eye } from "./eye.ts";
 import { listenToHands } from "./hands.ts";
 import { createShow, type Show, type ShownWork } from "./show.ts";
 import type { StageLines } from "./path-stage.ts";
@@ -21,7 +24,7 @@ import "./solid.css";
 const { useThem: useSolidTexts } = laterTexts(loadSolid);
 
 /** Zoom and fit of whatever is looked at. */
-export type Zooming = Pick<Viewport, "zoom" | "fit">;
+export type Zooming = Pick<Viewport, "zoom" | "fit" | "show">;
 
 interface Props {
   readonly work: ShownWork;
@@ -31,6 +34,10 @@ interface Props {
   /** What is to be said of the moment. */
   readonly state: string;
   readonly clock: Clock;
+  /** Findings and what stays, as marks over the body, and the one that is looked at. */
+  readonly places: readonly LookAt[];
+  readonly chosen: LookAt | null;
+  readonly choose: (place: LookAt | null) => void;
   /** Told what zooms the view once it is drawn, and null where the section has to take its place. */
   readonly onDrawn: (drawn: Zooming | null) => void;
 }
@@ -106,7 +113,7 @@ function useLines(run: Run, shown: (step: number) => boolean): readonly StageLin
   );
 }
 
-function Tried({ work, run, lines: shown, state, clock, onDrawn, t, again }: Props & { readonly t: SolidTexts;
+function Tried({ work, run, lines: shown, state, clock, places, chosen, choose, onDrawn, t, again }: Props & { readonly t: SolidTexts;
   readonly again: () => void })
 {
   const keys = useId(), theme = useTheme();
@@ -120,10 +127,11 @@ function Tried({ work, run, lines: shown, state, clock, onDrawn, t, again }: Pro
   useEffect(() => running?.show.setLines(lines), [running, lines]);
   useEffect(() => {
     if (!running || trouble) return undefined;
-    const { zoom, fit } = running.eye;
-    onDrawn({ zoom: (factor) => zoom(factor), fit });
+    const { zoom, fit, show } = running.eye;
+    onDrawn({ zoom: (factor) => zoom(factor), fit, show: (bounds) => show(bounds, xDown) });
     return () => onDrawn(null);
-  }, [running, trouble, onDrawn]);
+  }, [running, trouble, xDown, onDrawn]);
+  const seeing = useMemo(() => running && seenInSpace(running.eye, xDown), [running, xDown]);
   return (
     <>
       <div ref={field} className="solid-field" role="group" tabIndex={trouble ? -1 : 0} aria-label={t.title} aria-describedby={keys}
@@ -131,6 +139,15 @@ function Tried({ work, run, lines: shown, state, clock, onDrawn, t, again }: Pro
       >
         <canvas ref={canvas} role="img" aria-label={t.picture(quarterCut, state)} />
         <p id={keys} className="unseen">{t.keys}</p>
+        {seeing && (
+          <>
+            <svg className="solid-marks" aria-hidden="true">
+              <LoadPart.Mark run={run} seeing={seeing} />
+              <PlaceLines seeing={seeing} places={places} />
+            </svg>
+            <PlaceButtons seeing={seeing} places={places} chosen={chosen} choose={choose} />
+          </>
+        )}
         {rings && <p className="solid-note small soft">{t.threads}</p>}
         <div className="solid-views" role="group" aria-label={t.views}>
           <button type="button" className="button" aria-label={t.quarter} title={t.quarter} aria-pressed={quarterCut}

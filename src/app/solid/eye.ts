@@ -1,6 +1,8 @@
 import type { Bounds, Size } from "../../view/camera.ts";
-import { approached, namedView, orbited, slid, viewBetween, type NamedView, type Orbit } from "../../view/solid/orbit.ts";
+import { approached, namedView, nearTo, orbited, projected, slid, viewBetween, type NamedView,
+  type Orbit } from "../../view/solid/orbit.ts";
 import type { Clock } from "../clock.ts";
+import type { Seeing } from "../lathe/seeing.ts";
 
 /** From where the body is looked at, followed by what draws it. */
 export interface Eye {
@@ -14,6 +16,8 @@ export interface Eye {
   readonly go: (view: NamedView) => void;
   /** The view it last went to by name, so that the whole body is seen. */
   readonly fit: () => void;
+  /** Near to a box of the half plane, from the side from which it looks; `down`: X grows downwards. */
+  readonly show: (bounds: Bounds, down: boolean) => void;
   readonly setSize: (size: Size) => void;
   readonly setBounds: (bounds: Bounds) => void;
   /** Ends a movement that is under way. */
@@ -48,10 +52,10 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
     byHand = true;
     set(next);
   };
-  const fly = () => {
+  const flyTo = (to: Orbit, hand: boolean) => {
     end();
-    byHand = false;
-    const from = orbit, to = namedView(name, bounds, size), begun = clock.now();
+    byHand = hand;
+    const from = orbit, begun = clock.now();
     if (still()) return set(to);
     const picture = (now: number) => {
       const share = (now - begun) / WAY;
@@ -60,6 +64,7 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
     };
     stop = clock.frame(picture);
   };
+  const fly = () => flyTo(namedView(name, bounds, size), false);
   const refit = () => {
     end();
     set(byHand ? { ...orbit } : namedView(name, bounds, size));
@@ -80,6 +85,7 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
       fly();
     },
     fit: fly,
+    show: (near, down) => flyTo(nearTo(orbit, near, down), true),
     setSize(next) {
       if (next.width === size.width && next.height === size.height) return;
       size = next;
@@ -93,3 +99,11 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
     end,
   };
 }
+
+/** How places of the section are seen from an eye: in the plane in which the tool works. `down`: X grows downwards. */
+export const seenInSpace = ({ get, subscribe, size }: Eye, down: boolean): Seeing => ({
+  get,
+  subscribe,
+  size,
+  at: ({ z, r }) => projected(get(), size(), [down ? -r : r, 0, z]),
+});

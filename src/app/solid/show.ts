@@ -112,6 +112,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, onRings: (
     if (tool !== drawnTool) stage.setTool(tool ? toolParts(tool) : []);
     drawnTool = tool;
     stage.placeTool(tool && tip);
+    stage.setChip(moving && position && work.simulation ? moving.chipAt(position) : null);
     stage.setStep(position?.step ?? 0);
   }
 

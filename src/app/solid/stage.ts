@@ -1,10 +1,12 @@
 import { AmbientLight, BufferAttribute, BufferGeometry, DirectionalLight, Group, LineBasicMaterial, LineSegments, Mesh as Triangles,
   MeshPhongMaterial, PerspectiveCamera, Scene as Space, WebGLRenderer, type Material } from "three";
+import type { Chip } from "../../sim/chip/chip.ts";
 import type { Size } from "../../view/camera.ts";
 import type { DrawnPart } from "../../view/solid/furniture.ts";
 import type { Mesh } from "../../view/solid/mesh.ts";
 import { eyeOf, FIELD, pixelAt, type Orbit } from "../../view/solid/orbit.ts";
 import type { MomentBody } from "../../view/solid/moment.ts";
+import { createChipStage } from "./chip-stage.ts";
 import { createPathStage, LINE_COLOURS, type StageLines } from "./path-stage.ts";
 import { hatched } from "./section-material.ts";
 
@@ -19,6 +21,7 @@ export const STAGE_COLOURS = {
   holder: "--holder",
   residual: "--residual",
   danger: "--danger",
+  accent: "--accent",
   ...LINE_COLOURS,
 } as const;
 
@@ -32,6 +35,8 @@ export interface SolidStage {
   readonly setTool: (parts: readonly DrawnPart[]) => void;
   /** Where the tip of the tool is, mm; null: there is none. */
   readonly placeTool: (tip: { readonly z: number; readonly r: number } | null) => void;
+  /** What the running cut takes off; null where it takes nothing. */
+  readonly setChip: (chip: Chip | null) => void;
   /** Path, or what is told by colour along it. */
   readonly setLines: (lines: readonly StageLines[]) => void;
   /** The step that runs: lines before it are done. */
@@ -82,8 +87,8 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
   camera.add(key);
   camera.up.set(1, 0, 0);
   const world = new Group(), work = new Group(), chuck = new Group(), tool = new Group();
-  const path = createPathStage();
-  world.add(work, chuck, tool, path.group);
+  const path = createPathStage(), chip = createChipStage();
+  world.add(work, chuck, tool, chip.group, path.group);
   space.add(world, camera, new AmbientLight(0xffffff, LIGHT.around));
 
   const surfaces = {
@@ -136,6 +141,7 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       sections.gouge.colours(c.danger, c.danger);
       for (const each of Object.values(lines)) each.color.set(c.line);
       path.setColours(c);
+      chip.setColours(c.accent, c.surface);
     },
     setBodies(bodies) {
       clear(work);
@@ -148,9 +154,10 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
     setChuck: (parts) => setParts(chuck, parts),
     setTool: (parts) => setParts(tool, parts),
     placeTool(tip) {
-      tool.visible = tip !== null;
-      if (tip) tool.position.set(tip.r, 0, tip.z);
+      tool.visible = chip.group.visible = tip !== null;
+      if (tip) { for (const each of [tool, chip.group]) each.position.set(tip.r, 0, tip.z); }
     },
+    setChip: chip.set,
     setLines: path.set,
     setStep: path.runs,
     turnOver(down) {
@@ -170,6 +177,7 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
     dispose() {
       for (const group of [work, chuck, tool]) clear(group);
       path.dispose();
+      chip.dispose();
       for (const each of [...Object.values(surfaces), ...Object.values(lines)]) each.dispose();
       for (const { material } of Object.values(sections)) material.dispose();
       renderer.dispose();

@@ -1,6 +1,7 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { approached, axesOf, eyeOf, FIELD, NAMED_VIEWS, namedView, orbited, pixelAt, slid, viewBetween, type SpacePoint } from "./orbit.ts";
+import { approached, axesOf, eyeOf, FIELD, NAMED_VIEWS, namedView, nearTo, orbited, pixelAt, projected, slid, viewBetween,
+  type SpacePoint } from "./orbit.ts";
 
 const bounds = { left: -100.4, right: 22.7, low: 0, high: 41.3 };
 const dot = (a: SpacePoint, b: SpacePoint) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -51,4 +52,27 @@ test("the way between two views turns the shorter way round and ends exactly", (
   expect(Math.abs(viewBetween(far, end, 0.5).turn - far.turn)).toBeLessThan(1);
   expect(viewBetween(far, end, 1)).toEqual(end);
   expect(viewBetween(front, end, 0)).toEqual(front);
+});
+
+test("a place is seen where its ray crosses the picture, and not at all from beside it", () => {
+  const size = { width: 731, height: 517 }, view = slid(orbited(namedView("iso", bounds, size), 0.31, -0.2), 44, 13, size);
+  expect(projected(view, size, view.centre)).toEqual({ x: 365.5, y: 258.5 });
+  const { right, up, eye } = axesOf(view), mm = pixelAt(view, size);
+  const place = ([0, 1, 2] as const).map((k) => view.centre[k] + 17.3 * mm * right[k] + 8.1 * mm * up[k]);
+  const seen = projected(view, size, [place[0] ?? 0, place[1] ?? 0, place[2] ?? 0]);
+  expect(seen?.x).toBeCloseTo(365.5 + 17.3, 9);
+  expect(seen?.y).toBeCloseTo(258.5 - 8.1, 9);
+  const behind = eyeOf(view);
+  expect(projected(view, size, [behind[0] + eye[0], behind[1] + eye[1], behind[2] + eye[2]])).toBeNull();
+});
+
+test("brought to a place the eye looks at it from where it stood, and nearer", () => {
+  const size = { width: 731, height: 517 }, view = orbited(namedView("iso", bounds, size), 0.31, -0.2);
+  const near = nearTo(view, { left: -31.2, right: -30.4, low: 19.9, high: 20.3 }, false);
+  expect(near).toMatchObject({ turn: view.turn, rise: view.rise });
+  expect(near.distance).toBeLessThan(view.distance / 3);
+  const seen = projected(near, size, [20.1, 0, -30.8]);
+  expect(seen?.x).toBeCloseTo(365.5, 9);
+  expect(seen?.y).toBeCloseTo(258.5, 9);
+  expect(nearTo(view, { left: -31.2, right: -30.4, low: 19.9, high: 20.3 }, true).centre[0]).toBeCloseTo(-20.1, 9);
 });

@@ -1,4 +1,4 @@
-import type { Bounds, Size } from "../camera.ts";
+import type { Bounds, Place, Size } from "../camera.ts";
 
 /** A place or a direction in the axes of the machine, mm: x up, y towards the operator, z along the spindle. */
 export type SpacePoint = readonly [x: number, y: number, z: number];
@@ -64,6 +64,23 @@ export const approached = (orbit: Orbit, factor: number): Orbit => ({
 /** What one pixel shows at the centre, mm. */
 export const pixelAt = ({ distance }: Orbit, size: Size): number => (2 * distance * Math.tan(FIELD / 2)) / Math.max(1, size.height);
 
+/** Where a place is seen in a picture, pixels from its upper left corner; null for what lies beside or behind the eye. */
+export function projected(orbit: Orbit, size: Size, place: SpacePoint): Place | null {
+  const { eye, right, up } = axesOf(orbit), { centre, distance } = orbit;
+  const along = (way: SpacePoint) => way[0] * (place[0] - centre[0]) + way[1] * (place[1] - centre[1]) + way[2] * (place[2] - centre[2]);
+  const away = distance - along(eye);
+  if (away <= 0) return null;
+  const perMm = size.height / (2 * away * Math.tan(FIELD / 2));
+  return { x: size.width / 2 + along(right) * perMm, y: size.height / 2 - along(up) * perMm };
+}
+
+/** From the same side, but near a box of the half plane: the body round it is seen as well. */
+export function nearTo(orbit: Orbit, { left, right, low, high }: Bounds, down: boolean): Orbit {
+  const size = Math.max(right - left, high - low), far = size * NEAR + NEAREST;
+  const middle = (low + high) / 2;
+  return { ...orbit, centre: [down ? -middle : middle, 0, (left + right) / 2], distance: far };
+}
+
 /** What is seen moves along by so many pixels. */
 export function slid(orbit: Orbit, dx: number, dy: number, size: Size): Orbit {
   const { right, up } = axesOf(orbit), mm = pixelAt(orbit, size), { centre } = orbit;
@@ -76,6 +93,10 @@ function cornersOf({ left, right, high }: Bounds): readonly SpacePoint[] {
   const sides = Array.from({ length: 8 }, (_, i) => (i * Math.PI) / 4);
   return [left, right].flatMap((z) => sides.map((a): SpacePoint => [high * Math.cos(a), high * Math.sin(a), z]));
 }
+
+/** How far the eye stays from a place that it is brought to: in sizes of it, and mm at least. */
+const NEAR = 9;
+const NEAREST = 60;
 
 /** Free space round a body, as a share of the picture. */
 const AIR = 1.12;
@@ -106,7 +127,7 @@ export function namedView(view: NamedView, bounds: Bounds, size: Size): Orbit {
 }
 
 /** Angle brought to within half a turn of another one. */
-const nearTo = (angle: number, other: number) => angle - 2 * Math.PI * Math.round((angle - other) / (2 * Math.PI));
+const nearAngle = (angle: number, other: number) => angle - 2 * Math.PI * Math.round((angle - other) / (2 * Math.PI));
 
 /** On the way from one view to another, 0 … 1; it begins and ends gently and turns the shorter way round. */
 export function viewBetween(from: Orbit, to: Orbit, share: number): Orbit {
@@ -115,7 +136,7 @@ export function viewBetween(from: Orbit, to: Orbit, share: number): Orbit {
   const centre = (i: 0 | 1 | 2) => mix(from.centre[i], to.centre[i]);
   return {
     centre: [centre(0), centre(1), centre(2)],
-    turn: mix(from.turn, nearTo(to.turn, from.turn)),
+    turn: mix(from.turn, nearAngle(to.turn, from.turn)),
     rise: mix(from.rise, to.rise),
     distance: mix(from.distance, to.distance),
   };
