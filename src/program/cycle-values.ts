@@ -9,14 +9,19 @@ const INCH_DECIMALS = 1;
 /** Decimals of a value that was converted from inches, mm. */
 const CONVERTED_DECIMALS = 6;
 
-const NO_LENGTH: ReadonlySet<Param["kind"]> = new Set(["choice", "angle", "feed", "count", "factor", "percent", "revolutions"]);
-const isLength = (p: Param) => !NO_LENGTH.has(p.kind);
+const NO_LENGTH: ReadonlySet<string> = new Set(["choice", "angle", "feed", "count", "factor", "percent", "revolutions"]);
+const isLength = (p: { readonly kind: string }) => !NO_LENGTH.has(p.kind);
+const hasInches = (p: { readonly kind: string }) => isLength(p) || p.kind === "feed";
+
+/** How many decimals an inch program keeps of a parameter. */
+export const decimalsInInches = (p: { readonly kind: string; readonly decimals: number }): number =>
+  hasInches(p) ? p.decimals + INCH_DECIMALS : p.decimals;
 
 /** A number of the program in the unit of the parameter, rounded to what the control keeps of it before it is converted. */
 function inMillimetres(machine: Machine, p: Param, n: number): number {
   if (!machine.now.inch) return kept(n, p.decimals);
-  if (!(isLength(p) || p.kind === "feed")) return kept(n, CONVERTED_DECIMALS);
-  const inches = kept(n, p.decimals + INCH_DECIMALS);
+  if (!hasInches(p)) return kept(n, CONVERTED_DECIMALS);
+  const inches = kept(n, decimalsInInches(p));
   return kept(p.kind === "feed" ? machine.feedOf(inches) : machine.length(inches), CONVERTED_DECIMALS);
 }
 

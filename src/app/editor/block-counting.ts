@@ -5,16 +5,16 @@ import type { Run } from "../../program/run-types.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
 import type { Counting } from "../../view/measure/distance.ts";
 import { useShownBeside } from "../files/shown-file.ts";
+import { countsInches } from "./block-prompts.ts";
 import { useSession } from "./session.ts";
 
 /** How a cycle block counts: in the unit of its program, from the zero that holds where it is called first. */
 export function countingOf(program: Program, index: number, run: Run | null, file: string | null): Counting {
-  const begin = program.blocks.map(({ statement }) => statement).find((s) => s.kind === "begin");
   const line = startLines(program)[index];
   const call = run?.operations.find(({ definedLine, definedFile }) => definedLine === line && (definedFile ?? null) === file);
   const datums = run?.datums ?? [];
   return {
-    unit: begin?.kind === "begin" && begin.unit === "INCH" ? INCH : 1,
+    unit: countsInches(program) ? INCH : 1,
     zero: datumAt(datums, call ? datumIndex(datums, call.firstStep) : -1),
   };
 }

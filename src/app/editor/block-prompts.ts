@@ -6,6 +6,7 @@ import { withBlock } from "../../nc/edit.ts";
 import type { Param } from "../../cycles/params.ts";
 import type { CycleParameter, Statement } from "../../nc/statement.ts";
 import { contourBefore } from "../../program/contour-of-text.ts";
+import { decimalsInInches } from "../../program/cycle-values.ts";
 import { OWN_DECIMALS, ownField } from "../../program/own-cycle.ts";
 import { ownCycle } from "../own/own-reading.ts";
 import { feedWord } from "../../program/field.ts";
@@ -60,9 +61,17 @@ export function withPrompt(program: Program, index: number, q: string, text: str
   const word = param?.kind === "feed" ? feedWord(text) : null;
   const value: CycleParameter["value"] = word === "auto" || (word === "max" && param?.rapid)
     ? word
-    : left ?? blockValue(text, param?.decimals);
+    : left ?? blockValue(text, decimalsIn(program, param));
   return value === null ? program : withBlock(program, index, withParameter(s, q, value));
 }
+
+/** True for a program whose numbers are inches. */
+export const countsInches = ({ blocks }: Program): boolean =>
+  blocks.some(({ statement }) => statement.kind === "begin" && statement.unit === "INCH");
+
+/** How many decimals the control keeps of a parameter; undefined where nobody says. */
+const decimalsIn = (program: Program, param: Asked | undefined): number | undefined =>
+  param && countsInches(program) ? decimalsInInches(param) : param?.decimals;
 
 /** What stands in the text for a prompt that is left out; null where it may not be. */
 function leftOut(s: CycleStatement, q: string): number | null {
