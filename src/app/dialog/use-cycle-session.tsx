@@ -24,6 +24,8 @@ export interface PromptedBlock {
   /** Its first line in the text, from 1. */
   readonly line: number;
   readonly problems: readonly FindingEntry[];
+  /** Its program counts in inches. */
+  readonly inches: boolean;
   readonly set: (q: string, text: string) => void;
   /** Several prompts in one step of undo. */
   readonly setAll: (texts: Readonly<Record<string, string>>) => void;
@@ -50,6 +52,10 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
   const tools = useToolList();
   const context = suggestionContext(read);
   const { units, evidence } = t.dialog;
+  const unitText = (param: Param): string => {
+    const unit = units[unitOf(param, job.perRevolution)];
+    return block?.inches ? unit.replace("mm", "inch") : unit;
+  };
   const number = (param: Param, n: number) => formatNumber(language, n, param.decimals);
 
   const shownOf = (q: string, param: Param): Prompt["shown"] => {
@@ -57,7 +63,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     if (field?.empty) return { text: field.issue ? t.dialog.noValue : t.dialog.noEntry, unit: "", soft: true };
     const written = field ? writeValue(language, param, field) : null;
     const bare = written === null || field?.written === "auto";
-    return { text: written ?? draft[q] ?? "", unit: bare ? "" : units[unitOf(param, job.perRevolution)], soft: false };
+    return { text: written ?? draft[q] ?? "", unit: bare ? "" : unitText(param), soft: false };
   };
   const doubtOf = (param: Param): string | null => {
     if (isRecalled(cycle)) return null;
@@ -77,7 +83,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
       about: words.explanation,
       page: ["guide", String(cycle.number), q],
       name: t.dialog.value(q, words.prompt),
-      unit: units[unitOf(param, job.perRevolution)],
+      unit: unitText(param),
       range: param.choices ? null : t.dialog.range(number(param, param.range[0]), number(param, param.range[1])),
       notes: [
         ...(param.incremental ? [t.dialog.incremental] : []),

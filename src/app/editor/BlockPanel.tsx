@@ -13,6 +13,7 @@ import { duplicated, exchanged, removed } from "./block-edits.ts";
 import { BlockForm } from "./BlockForm.tsx";
 import { kindOf } from "./block-kind.ts";
 import { Palette } from "./Palette.tsx";
+import { countsInches } from "./block-prompts.ts";
 import { setBlockPrompt, setBlockPrompts, useOpenBlock } from "./open-block.ts";
 import { editProgram, openBlock, useSession } from "./session.ts";
 
@@ -46,7 +47,10 @@ export function BlockPanel() {
   const number = String(blockNumbers(program)[index] ?? 0);
   const line = startLines(program)[index] ?? 1;
   const dialogOf = () => {
-    if (read) return <CycleDialog key={index} read={read} block={{ line, problems, set: setBlockPrompt, setAll: setBlockPrompts }} />;
+    if (read) {
+      const prompted = { line, problems, inches: countsInches(program), set: setBlockPrompt, setAll: setBlockPrompts };
+      return <CycleDialog key={index} read={read} block={prompted} />;
+    }
     if (own)
       return (
         <Suspense key={index}>

@@ -83,7 +83,7 @@ export function ProgramWorkplace() {
   // Blank, tool and start are those of the program: of what is typed only the contour of the block is drawn.
   const known = useMemo(
     () =>
-      late && shown?.run.datums.length === 0
+      late && shown?.run.datums.length === 0 && shown.run.program.unit === "mm"
         ? { ...knownWork(late.cycle, late.job, late.reading, givenOf(late), tools), blank: [], start: null, tool: null }
         : null,
     [late, shown, tools],
