@@ -37,7 +37,7 @@ vi.mock("comlink", () => ({
     update: (request: Request) => new Promise<Outcome>((answer) => asked.push({ request, answer, isPlanned: false })),
     proved: (request: Request) =>
       new Promise((answer) =>
-        asked.push({ request, answer: ({ simulation: { blank: _, steps: __, ...rest } }) => answer(rest), isPlanned: true })
+        asked.push({ request, answer: ({ simulation: { blank: _, steps: __, ...rest } }) => answer({ ...rest, kept: 0 }), isPlanned: true })
       ),
   }),
 }));

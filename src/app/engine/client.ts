@@ -23,6 +23,7 @@ import type { Comparer } from "../which/comparison.ts";
 import type { Called } from "./engine.ts";
 import { fetchPlan, forgetPace, notePace, planNow } from "./page-plan.ts";
 import { pauseInTyping } from "./quiet.ts";
+import { simulationOf } from "./proved.ts";
 import type { Reported } from "./reported.ts";
 import type { Request } from "./request.ts";
 import { askAgain, stopWorker } from "./worker-life.ts";
@@ -47,32 +48,34 @@ const GIVEN_UP_AFTER = 400;
 let running: Wanted | null = null;
 let cancel: (why: Error) => void = () => undefined;
 
+/** The last answer of the worker: the marks of its simulation are not sent again. */
+let answered: Pick<Outcome, "version" | "simulation"> | null = null;
+
 /** The answer to a request; its stages are told while it is that of the open work. A run that is here already is not sent again. */
 async function outcomeOf({ request, planned }: Wanted): Promise<Outcome> {
-  const toldOf = (stage: Stage) => {
+  const told = proxy((stage: Stage) => {
     if (busy && request.version > left) atStage(stage);
-  };
-  const told = proxy(toldOf);
+  });
   const made = await Promise.race([
     untilHere(() =>
       askAgain(async (engine): Promise<Outcome> => {
         if (!planned) return await engine.update(request, told);
-        const { blank, steps } = planned.run;
-        return { ...planned, simulation: { ...(await engine.proved(request, told)), blank, steps } };
+        const proved = await engine.proved(request, answered?.version ?? null, told);
+        return { ...planned, simulation: simulationOf(proved, planned.run, answered) };
       })
     ),
     new Promise<never>((_, reject) => {
       cancel = reject;
     }),
   ]);
+  answered = made;
   return { ...made, ...ofWork(request) };
 }
 
 const ofWork = ({ files, skipMarked }: Wanted["request"]) => ({ ...(files && { files }), ...(skipMarked !== undefined && { skipMarked }) });
 
 /** Of a text longer than this its beginning is shown first, which is this long, characters. */
-const LONG_TEXT = 1_000_000;
-const BEGINNING = 300_000;
+const [LONG_TEXT, BEGINNING] = [1_000_000, 300_000];
 const beginningOf = (text: string): string => text.slice(0, text.lastIndexOf("\n", BEGINNING) + 1);
 
 /** The picture of the first blocks is there soon, while that of the whole is made. */

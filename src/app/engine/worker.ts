@@ -1,6 +1,6 @@
 import { expose, transfer } from "comlink";
 import { z } from "zod/mini";
-import type { PlayPosition, Simulation } from "../../sim/simulation.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
 import type { StockLook } from "../../view/material/stock-painter.ts";
 import { stopwatch } from "../clock.ts";
 import type { advice } from "./advice.ts";
@@ -8,6 +8,7 @@ import { engine, makersAgain } from "./engine.ts";
 import { loadRequestOf, type KnownOutcome, type LoadRequest } from "./load-request.ts";
 import type { Outcome, Stage } from "./outcome.ts";
 import type { PlayedCourse, PlayedOn, StockPictures } from "./played.ts";
+import { provedBeside, type Proved } from "./proved.ts";
 import type { reported } from "./reported.ts";
 import type { Request } from "./request.ts";
 import { wireOutcomes } from "./wire.ts";
@@ -39,12 +40,10 @@ function updated(request: Request, tell: (stage: Stage) => void = () => undefine
   return { ...outcome, pace };
 }
 
-/** A simulation without what the page has of it: its run. */
-type Proved = Omit<Simulation, "blank" | "steps">;
-
-function proved(request: Request, tell?: (stage: Stage) => void): Proved {
-  const { blank: _, steps: __, ...rest } = updated(request, tell).simulation;
-  return rest;
+/** The proof of a request whose run the page has, without the marks that it has as well when `has` is the version of the last answer. */
+function proved(request: Request, has: number | null, tell?: (stage: Stage) => void): Proved {
+  const before = newest?.version === has ? newest : null;
+  return provedBeside(updated(request, tell).simulation, before?.simulation.checkpoints ?? []);
 }
 
 type Advice = typeof advice;
