@@ -1,50 +1,93 @@
-import { useEffect, useRef } from "react";
-import type { Step } from "../../kernel/step.ts";
-import { toScreen } from "../../view/camera.ts";
-import { edgeMark } from "../../view/edge-mark.ts";
+import { useEffect, useMemo, useRef } from "react";
+import { part, type Pt } from "../../kernel/point.ts";
+import { CHORD } from "../../kernel/tolerance.ts";
+import type { Run } from "../../program/run-types.ts";
+import { leastCovering, placesBeside } from "../../view/away-label.ts";
+import { toScreen, type Place } from "../../view/camera.ts";
+import { edgeMark, type Seen } from "../../view/edge-mark.ts";
+import { labelsOverlap, textWidth, type LabelBox } from "../../view/help/labels.ts";
 import { tipAt } from "../../view/tip.ts";
 import { useSettings } from "../settings/settings.ts";
-import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
 import { holds } from "../use-media.ts";
+import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
+import { badgesOf, TOOLS } from "./PlaceButtons.tsx";
+import type { LookAt } from "./places.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { placeText } from "./running.ts";
+import { seenFlat } from "./seeing.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** Width of the tools where they float over the right edge of the picture, pixels. */
-const TOOLS = 56;
+/** From the edge to the mark, size of the text, its lines, and the ground round it, pixels. */
+const [INSET, TEXT, LINE, GROUND] = [14, 12, 15, 3];
 
-/** From the edge to the mark, from the mark to what it says, and from one of its lines to the next, pixels. */
-const [INSET, BESIDE, LINE] = [14, 14, 15];
+/** Half of the marks of start points and zero, pixels. */
+const MARK = 12;
 
-/** An arrow at the edge of the picture to a tool that stands outside it, with the place where it is. */
-export function ToolAway({ viewport, playback, steps }: { readonly viewport: Viewport; readonly playback: PlaybackStore;
-  readonly steps: readonly Step[] })
+const boxRound = ({ x, y }: Place, half: number): LabelBox => ({ x: x - half, y: y - half, width: 2 * half, height: 2 * half });
+
+/** An arrow at the edge of the picture to a tool that stands outside it, with the place where it is: two short lines on a free ground. */
+export function ToolAway({ viewport, playback, run, places, datum }: { readonly viewport: Viewport; readonly playback: PlaybackStore;
+  readonly run: Run; readonly places: readonly LookAt[]; readonly datum: Pt })
 {
   const group = useRef<SVGGElement>(null);
   const language = useSettings((s) => s.language);
+  const lines = useMemo(
+    () => [
+      ...run.blank.map((ring) => [...ring, ...ring.slice(0, 1)]),
+      ...run.operations.map((o) => part.flattenedChain(o.plan.contour, 10 * CHORD)),
+    ],
+    [run],
+  );
   useEffect(() => {
     const element = group.current, arrow = element?.querySelector("path"), text = element?.querySelector("text");
-    const [first, second] = element?.querySelectorAll("tspan") ?? [];
-    if (!element || !arrow || !text || !first || !second) return undefined;
-    let room = { left: 0, right: 0, top: 0, bottom: 0 }, isShown = false;
+    const ground = element?.querySelector("rect"), [first, second] = element?.querySelectorAll("tspan") ?? [];
+    if (!element || !arrow || !text || !ground || !first || !second) return undefined;
+    const { steps, operations } = run;
+    let room: Seen = { left: 0, right: 0, top: 0, bottom: 0 }, corner: LabelBox | null = null, boxes: readonly LabelBox[] = [];
+    let isShown = false, row = 0;
+    /** The mark of a place, beside what lies over the corner of the picture. */
+    const markOf = (at: Place) => {
+      const mark = edgeMark(at, room);
+      if (!mark || !corner || mark.at.x < corner.x - INSET || mark.at.y > corner.height + INSET) return mark;
+      return edgeMark(at, { ...room, top: corner.height + INSET });
+    };
     const paint = () => {
-      const tip = tipAt(steps, playback.shown()), mark = tip && edgeMark(toScreen(viewport.get(), tip), room);
+      const position = playback.shown(), tip = tipAt(steps, position), camera = viewport.get(), mark = tip && markOf(toScreen(camera, tip));
       if (isShown !== (mark !== null)) element.style.display = mark ? "" : "none";
       isShown = mark !== null;
       if (!mark || !tip) return;
-      const { at: { x, y }, turn } = mark, toLeft = x > (room.left + room.right) / 2;
-      const { x: diameter, z } = placeText(language, tip);
+      const { at: { x, y }, turn } = mark, { x: diameter, z } = placeText(language, tip), step = steps[position.step];
+      const told = [`X⌀ ${diameter}`, `Z ${z}`] as const, wide = Math.max(...told.map((each) => textWidth(each, TEXT))) + 2 * GROUND;
+      const choices = placesBeside(mark.at, { width: wide, height: 2 * LINE + GROUND }, room).filter((each) =>
+        !corner || !labelsOverlap(each, corner)
+      );
+      row = leastCovering(choices, { boxes, lines: step ? [...lines, [step.from, step.move.to]] : lines }, camera, row);
+      const box = choices[row];
+      if (!box) return;
+      const toLeft = box.x < x;
       arrow.setAttribute("transform", `translate(${x} ${y}) rotate(${turn})`);
-      // Two short lines: what lies beside the mark stays to be seen.
-      for (const line of [first, second]) line.setAttribute("x", String(x + (toLeft ? -BESIDE : BESIDE)));
-      text.setAttribute("y", String(Math.min(Math.max(y, room.top + LINE), room.bottom - LINE) - 3));
+      for (const name of ["x", "y", "width", "height"] as const) ground.setAttribute(name, String(box[name]));
+      for (const line of [first, second]) line.setAttribute("x", String(toLeft ? box.x + wide - GROUND : box.x + GROUND));
+      text.setAttribute("y", String(box.y + TEXT + 1));
       text.setAttribute("text-anchor", toLeft ? "end" : "start");
-      first.textContent = `X⌀ ${diameter}`;
-      second.textContent = `Z ${z}`;
+      told.forEach((each, i) => {
+        const line = i === 0 ? first : second;
+        if (line.textContent !== each) line.textContent = each;
+      });
     };
     const look = () => {
-      const { width, height } = viewport.size(), floating = holds("narrow") && !holds("phone") ? TOOLS : 0;
-      room = { left: SCALE_LEFT + INSET, right: width - INSET - floating, top: INSET, bottom: height - SCALE_BELOW - INSET };
+      const { width, height } = viewport.size(), camera = viewport.get(), isPhone = holds("phone");
+      room = {
+        left: SCALE_LEFT + INSET,
+        right: width - INSET - (holds("narrow") && !isPhone ? TOOLS : 0),
+        top: INSET,
+        bottom: height - SCALE_BELOW - INSET,
+      };
+      corner = isPhone ? { x: width - TOOLS, y: 0, width: TOOLS, height: TOOLS } : null;
+      boxes = [
+        ...badgesOf(places, seenFlat(viewport)).map(({ left, top }) => boxRound({ x: left, y: top }, MARK)),
+        ...[datum, ...operations.map(({ start }) => start)].map((each) => boxRound(toScreen(camera, each), MARK)),
+      ];
       paint();
     };
     look();
@@ -53,9 +96,10 @@ export function ToolAway({ viewport, playback, steps }: { readonly viewport: Vie
       ends.forEach((end) => end());
       element.style.display = "none";
     };
-  }, [steps, playback, viewport, language]);
+  }, [run, places, datum, lines, viewport, playback, language]);
   return (
     <g ref={group} className="tool-away" aria-hidden="true" style={{ display: "none" }}>
+      <rect rx="3" />
       <path d="M8 0L-6 6V-6Z" />
       <text className="number">
         <tspan />

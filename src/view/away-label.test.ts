@@ -1,0 +1,44 @@
+import { expect, test } from "vitest";
+import { at } from "../kernel/point.ts";
+import { leastCovering, placesBeside } from "./away-label.ts";
+import type { Camera } from "./camera.ts";
+
+const room = { left: 60, right: 415, top: 14, bottom: 280 }, size = { width: 86, height: 33 };
+const camera: Camera = { scale: 2.5, zero: { x: 301, y: 153 }, xUp: true };
+const none = { boxes: [], lines: [] };
+
+test("beside the mark comes first; every place is in the room, and those above and below leave its height free", () => {
+  const places = placesBeside({ x: 415, y: 97.5 }, size, room);
+  expect(places[0]).toEqual({ x: 317, y: 81, width: 86, height: 33 });
+  for (const { y } of places) {
+    expect(y).toBeGreaterThanOrEqual(room.top);
+    expect(y + size.height).toBeLessThanOrEqual(room.bottom);
+  }
+  for (const { y } of places.slice(1)) expect(y > 97.5 || y + size.height < 97.5).toBe(true);
+});
+test("at the left edge the text stands to the right of the mark", () =>
+  expect(placesBeside({ x: 60, y: 97.5 }, size, room)[0]?.x).toBe(72));
+test("at the upper edge no text stands over it", () =>
+  expect(Math.min(...placesBeside({ x: 200, y: 14 }, size, room).map(({ y }) => y))).toBe(14));
+
+test("a line through the first place moves the text above it, one beside it does not", () => {
+  const places = placesBeside({ x: 415, y: 97.5 }, size, room);
+  const along = (r: number) => ({ ...none, lines: [[at(-90, r), at(31, r)]] });
+  expect(leastCovering(places, along(22.2), camera, 0)).toBe(1);
+  expect(leastCovering(places, along(30.3), camera, 0)).toBe(0);
+});
+test("a line that slants past a corner of the box is not in the way", () => {
+  const places = placesBeside({ x: 415, y: 97.5 }, size, room);
+  // From below the box to the right of it, round its lower right corner.
+  expect(leastCovering(places, { ...none, lines: [[at(38, 10), at(46, 20)]] }, camera, 0)).toBe(0);
+  expect(leastCovering(places, { ...none, lines: [[at(30, 10), at(40, 20)]] }, camera, 0)).toBe(1);
+});
+test("where nothing is free it rather covers lines than a mark, and stays where it was", () => {
+  const places = placesBeside({ x: 415, y: 97.5 }, size, room);
+  const lines = [-100, -40, 0, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50].map((r) => [at(-90, r), at(60, r)]);
+  const boxes = [{ x: 300, y: 60, width: 100, height: 60 }];
+  const first = leastCovering(places, { boxes, lines }, camera, 0);
+  expect(places[first]?.y === undefined || places[first].y >= 120 || places[first].y + 33 <= 60).toBe(true);
+  const free = leastCovering(places, none, camera, 3);
+  expect(free).toBe(3);
+});

@@ -1,0 +1,39 @@
+import { expect, test } from "vitest";
+import { badgePlaces } from "./badge-places.ts";
+import type { Place } from "./camera.ts";
+
+const seen = { left: 46, right: 431, top: 3, bottom: 297 };
+
+/** The least distance of two badges along either edge of the picture: under 24 they hide one another. */
+const apart = (put: readonly Place[]): number =>
+  Math.min(...put.flatMap((a, i) => put.slice(0, i).map((b) => Math.max(Math.abs(a.x - b.x), Math.abs(a.y - b.y)))));
+
+test("one badge stands to the right above its place", () => {
+  expect(badgePlaces([{ x: 101.5, y: 77 }], seen)).toEqual([{ x: 119.5, y: 59 }]);
+});
+test("badges that would hide one another stand in one row over their places, in the order in which those lie", () => {
+  const places = [203.3, 188, 195.7, 218, 210.1].map((x, i) => ({ x, y: 120.4 - i }));
+  const put = badgePlaces(places, seen), byPlace = put.toSorted((a, b) => places[put.indexOf(a)]!.x - places[put.indexOf(b)]!.x);
+  expect(byPlace.map(({ x }) => Math.round(x))).toEqual([155, 179, 203, 227, 251]);
+  expect(new Set(put.map(({ y }) => y)).size).toBe(1);
+  expect(put[0]?.y).toBeLessThan(100);
+});
+test("more than fit into a row stand in two, and none lies on another or out of the picture", () => {
+  const put = badgePlaces(Array.from({ length: 21 }, (_, i) => ({ x: 320 + 3.1 * i, y: 120.4 + i })), seen);
+  expect(new Set(put.map(({ y }) => y)).size).toBe(2);
+  expect(apart(put)).toBeGreaterThanOrEqual(24);
+  for (const { x } of put) expect([x >= 57, x <= 420]).toEqual([true, true]);
+});
+test("a row stands clear of the badge of another place", () => {
+  const put = badgePlaces([{ x: 190.5, y: 97 }, { x: 180, y: 131 }, { x: 183, y: 133 }, { x: 187.2, y: 132 }], seen);
+  expect(put[0]).toEqual({ x: 208.5, y: 79 });
+  expect(apart(put)).toBeGreaterThanOrEqual(24);
+});
+test("beside the edge of the picture a badge stands where it is whole", () => {
+  const [first, second] = badgePlaces([{ x: 425, y: 150 }, { x: 301.5, y: 9 }], seen);
+  expect(first?.x).toBeLessThanOrEqual(420);
+  expect(second?.y).toBeGreaterThanOrEqual(14);
+});
+test("where nothing is free it stands there all the same", () => {
+  expect(badgePlaces([{ x: 50, y: 50 }], { left: 40, right: 99, top: 0, bottom: 9 })).toEqual([{ x: 68, y: 32 }]);
+});
