@@ -7,7 +7,6 @@ import type { Language } from "../../i18n/languages.ts";
 import { formatNumber, formatPosition } from "../../i18n/number.ts";
 import type { LabelBox } from "../../view/help/labels.ts";
 import { counted, gaugedFor, measure, measuredFor } from "../../view/measure/distance.ts";
-import { gauged } from "../../view/measure/figure.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import { setMeasured } from "../edits.ts";
 import { Icon } from "../Icon.tsx";
@@ -98,13 +97,12 @@ function offeredPlain(target: MeasuredTarget | null, { first, done }: MeasureSta
 }
 
 /** Where the cross stands, or how far it is from the first place. */
-function Numbers({ state: { cross, first, done }, isTurned, language, t }: { readonly state: MeasureState; readonly isTurned: boolean;
-  readonly language: Language; readonly t: MeasureTexts })
+function Numbers({ state: { cross, first, done }, value, isTurned, language, t }: { readonly state: MeasureState;
+  readonly value: number | undefined; readonly isTurned: boolean; readonly language: Language; readonly t: MeasureTexts })
 {
   const lathe = useTexts().lathe, n = (v: number) => formatPosition(language, v);
   const [a, b] = done?.kind === "distance" ? done.places : [first, cross];
-  const value = done && gauged(done.kind, done.places, isTurned)?.value;
-  if (done && value !== null && value !== undefined && done.kind !== "distance") {
+  if (done && value !== undefined && done.kind !== "distance") {
     const inch = inchText(t, language, done.kind, value);
     return (
       <p className="measure-value number">
@@ -198,9 +196,11 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
     watch.observe(element);
     return () => watch.disconnect();
   }, [kept]);
-  const { done, kind } = state, value = done ? gauged(done.kind, done.places, isTurned)?.value : undefined;
-  const into = offered(target, state, value), last = readings.at(-1);
-  const result = done && last ? (words.get(last.measurement.id)?.name ?? "") : "";
+  const { kind } = state;
+  // What was measured last, as it is now; taken away again it is not shown any more.
+  const own = readings.find(({ measurement }) => measurement.places === state.done?.places), done = own ? state.done : null;
+  const into = offered(target, { ...state, done }, own?.value);
+  const result = own ? (words.get(own.measurement.id)?.name ?? "") : "";
   // What was said of the list holds until something is picked.
   const said = spoken.after === state ? spoken.text : "";
   const tools: Tools = { kind, choose: measuring.choose, source, t };
@@ -213,7 +213,7 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
       }}>
         <Icon name="close" />
       </button>
-      <Numbers state={state} isTurned={isTurned} language={language} t={t} />
+      <Numbers state={{ ...state, done }} value={own?.value} isTurned={isTurned} language={language} t={t} />
       {target && into !== null && (
         <button type="button" className="button small" onClick={() => target.take(into)}>
           {take(`${target.kind === "diameter" ? "⌀" : ""}${formatNumber(language, into, target.counts.unit === 1 ? 3 : 4)}`, target.q)}
