@@ -4,7 +4,7 @@ import { cpus } from "node:os";
 import { join } from "node:path";
 import type { Browser } from "@playwright/test";
 import { openBench, serveBuilt, startBrowser, type Bench } from "./browser-bench/bench-page.ts";
-import { measureBox, measureKeys, measureLooking, measurePlaying, type FrameResult, type KeyResult,
+import { measureBox, measureKeys, measureLooking, measureOrbit, measurePlaying, measureSpace, type FrameResult, type KeyResult,
   type ScreenResults } from "./browser-bench/measure-work.ts";
 import { readOptions, type BenchOptions, type CaseName } from "./browser-bench/options.ts";
 import type { Screen } from "./browser-bench/screens.ts";
@@ -34,7 +34,21 @@ function built(): string {
   return "dist";
 }
 
-const RATES: Partial<Record<CaseName, number>> = { "1x": 1, "10x": 10 };
+function measureCase(bench: Bench, work: MeasuredWork, name: Exclude<CaseName, "key">, options: BenchOptions): Promise<FrameResult> {
+  switch (name) {
+    case "1x":
+      return measurePlaying(bench, work, 1, options);
+    case "10x":
+      return measurePlaying(bench, work, 10, options);
+    case "3d":
+      return measureSpace(bench, work, 10, options);
+    case "orbit":
+      return measureOrbit(bench, work, options);
+    case "pan":
+    case "zoom":
+      return measureLooking(bench, work, name, options);
+  }
+}
 
 /** The work is calculated and drawn when its timeline can be moved and the calculation is no longer spoken of. */
 async function openWork({ page, turnwise }: Bench, work: MeasuredWork): Promise<void> {
@@ -59,10 +73,7 @@ async function measureScreen(browser: Browser, address: string, screen: Screen, 
       box ??= await measureBox(bench, options);
       for (const name of counted) {
         begin(`${screen.name}: ${work.name} ${name} … `);
-        const rate = RATES[name];
-        const how = name === "pan" ? "pan" : "zoom";
-        const made = rate ? measurePlaying(bench, work, rate, options) : measureLooking(bench, work, how, options);
-        const { share, perSecond, empty, worst, long } = frames[`${work.name} ${name}`] = await made;
+        const { share, perSecond, empty, worst, long } = frames[`${work.name} ${name}`] = await measureCase(bench, work, name, options);
         say(
           `${Math.round(share * 100)} % (${perSecond.toFixed(1)} of ${empty.toFixed(1)} a second, worst ${
             worst.toFixed(0)

@@ -109,6 +109,25 @@ export async function measurePlaying(bench: Bench, work: MeasuredWork, rate: num
   return result;
 }
 
+/** Whatever is measured meanwhile is seen in space; afterwards the section is back. */
+async function inSpace<Result>({ page, turnwise: { lathe } }: Bench, measure: () => Promise<Result>): Promise<Result> {
+  await lathe.section.selectOption("solid");
+  await page.waitForSelector(".solid-field > canvas");
+  // The library is fetched and its programs are made ready with the first picture.
+  await page.waitForTimeout(5 * SETTLE);
+  const result = await measure();
+  await lathe.section.selectOption("half");
+  return result;
+}
+
+/** Frames while a work plays in space. */
+export const measureSpace = (bench: Bench, work: MeasuredWork, rate: number, options: BenchOptions): Promise<FrameResult> =>
+  inSpace(bench, () => measurePlaying(bench, work, rate, options));
+
+/** Frames while the body is turned by hand, at rest in the middle of the work. */
+export const measureOrbit = (bench: Bench, work: MeasuredWork, options: BenchOptions): Promise<FrameResult> =>
+  inSpace(bench, () => measureLooking(bench, work, "orbit", options));
+
 /** Goes on with something until it is told to stop. */
 function goingOn(step: (count: number) => Promise<void>): () => Promise<void> {
   let goes = true;
@@ -121,25 +140,30 @@ function goingOn(step: (count: number) => Promise<void>): () => Promise<void> {
   };
 }
 
-/** Frames while the picture is dragged about, or zoomed in and out, at rest in the middle of the work. */
-export async function measureLooking(bench: Bench, work: MeasuredWork, how: "pan" | "zoom", options: BenchOptions): Promise<FrameResult> {
+/** Frames while the picture is dragged about or turned, or zoomed in and out, at rest in the middle of the work. */
+export async function measureLooking(
+  bench: Bench,
+  work: MeasuredWork,
+  how: "pan" | "zoom" | "orbit",
+  options: BenchOptions,
+): Promise<FrameResult> {
   const { page, turnwise: { lathe } } = bench;
   await seek(bench, work.from[2] ?? 0);
-  const box = await lathe.picture.boundingBox();
+  const box = await (how === "orbit" ? page.locator(".solid-field") : lathe.picture).boundingBox();
   if (!box) throw new Error("there is no picture");
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   const result = await paired(bench, options, async () => {
     await page.mouse.move(x, y);
-    if (how === "pan") await page.mouse.down();
+    if (how !== "zoom") await page.mouse.down();
     const stop = goingOn((count) =>
-      how === "pan"
+      how !== "zoom"
         ? page.mouse.move(x + 80 * Math.sin(count / 9), y + 50 * Math.cos(count / 7))
         : page.mouse.wheel(0, Math.floor(count / 12) % 2 === 0 ? -60 : 60)
     );
     await page.waitForTimeout(SETTLE);
     return async () => {
       await stop();
-      if (how === "pan") await page.mouse.up();
+      if (how !== "zoom") await page.mouse.up();
     };
   });
   await page.keyboard.press("Escape");

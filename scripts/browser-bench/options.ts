@@ -1,8 +1,8 @@
 import { SCREENS, type Screen } from "./screens.ts";
 import { WORKS, type MeasuredWork } from "./works.ts";
 
-/** What can be measured of a work on a screen. */
-export const CASES = ["1x", "10x", "pan", "zoom", "key"] as const;
+/** What can be measured of a work on a screen; "3d" plays it ten times as fast in space, "orbit" turns it there. */
+export const CASES = ["1x", "10x", "pan", "zoom", "3d", "orbit", "key"] as const;
 export type CaseName = (typeof CASES)[number];
 
 export interface BenchOptions {

@@ -1,4 +1,4 @@
-import { edgeEnd, edgeStart, extent, type Convex } from "../../kernel/convex.ts";
+import { edgeEnd, edgeStart, type Convex } from "../../kernel/convex.ts";
 import { flat, type Flat } from "../../kernel/flat.ts";
 import { insertShape, shiftOf } from "../../kernel/insert.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../../kernel/point.ts";
@@ -7,7 +7,7 @@ import { pathOf } from "../../kernel/time.ts";
 import { SAME, SLIVER } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { moved, support } from "../../kernel/convex.ts";
-import type { Box } from "../../kernel/geometry/segments.ts";
+import { touchIndex } from "../touch-index.ts";
 
 /** A surface is looked at in pieces of this length, mm, or longer ones where it is so long that there would be more than MOST. */
 const PIECE = 0.5;
@@ -75,82 +75,27 @@ function tipOn(path: Segment, tips: readonly Pt[]): Pt | null {
   return apart ? part.pointOn(path, a / (a - b)) : null;
 }
 
-interface Touching {
-  readonly box: Box;
-  /** For each piece the points of the insert that touch it, once they were asked for. */
-  readonly ends: (readonly Flat[] | undefined)[];
-  readonly shape: Convex;
-}
-
-const touchingOf = (tool: Tool): Touching => {
-  const shape = moved(insertShape(tool, true), shiftOf(tool)), { minU, maxU, minV, maxV } = extent(shape);
-  return { shape, ends: [], box: { left: minU - TOUCH, right: maxU + TOUCH, low: minV - TOUCH, high: maxV + TOUCH } };
-};
-
-/** Whether a surface may be the work of a move. Feeds of a program without cycles are cuts like any. */
-const makesSurface = ({ move }: Step) => move.kind !== "rapid";
-
-/** Pieces in the order of Z that nobody has claimed yet. */
-function unclaimed(pieces: readonly SurfacePiece[]) {
-  const middles = pieces.map(({ from, to }, piece) => ({ piece, at: at((from.z + to.z) / 2, (from.r + to.r) / 2) })).sort((a, b) =>
-    a.at.z - b.at.z
-  );
-  const next = Int32Array.from({ length: middles.length + 1 }, (_, i) => i);
-  const free = (i: number): number => {
-    let to = i;
-    while ((next[to] ?? to) !== to) to = next[to] ?? to;
-    for (let k = i; (next[k] ?? k) !== k;) [k, next[k]] = [next[k] ?? k, to];
-    return to;
-  };
-  const firstFrom = (z: number) => {
-    let [low, high] = [0, middles.length];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if ((middles[middle]?.at.z ?? 0) < z) low = middle + 1;
-      else high = middle;
-    }
-    return low;
-  };
-  /** Asks for each free piece in a box whether it is claimed. */
-  return (box: Box, claims: (piece: number, middle: Pt) => boolean): void => {
-    for (let i = free(firstFrom(box.left)); i < middles.length; i = free(i + 1)) {
-      const each = middles[i] as (typeof middles)[number];
-      if (each.at.z > box.right) return;
-      if (each.at.r >= box.low && each.at.r <= box.high && claims(each.piece, each.at)) next[i] = i + 1;
-    }
-  };
+/** Where a tip stood on the path of a move while it touched a piece; null where nothing but its shape can say so. */
+function tipOver({ out, from, to }: SurfacePiece, path: Segment, shape: Convex): Pt | null {
+  const middle = at((from.z + to.z) / 2, (from.r + to.r) / 2);
+  return tipOn(path, farthest(shape, flat.scaled(out, -1)).map((end) => at(middle.z - end.u, middle.r - end.v)));
 }
 
 /**
- * Which move made which piece of a surface: the last feed whose tool touched it. `steps` are the moves since the stock was put into
- * the chuck as it is, `first` the index of the first of them. Time grows with pieces and moves, not with their product: a piece that
- * has its move is not asked again.
+ * Which move made which piece of a surface: the same one that the picture shows it with, the last feed that has it on the edge of what it
+ * swept. `first` is the index of the first step since the stock was put into the chuck as it is.
  */
 export function madeBy(pieces: readonly SurfacePiece[], steps: readonly Step[], first = 0): Made[] {
-  const made = pieces.map((piece): Made => ({ ...piece, step: null, tip: piece.from, along: false }));
-  const tools = new Map<Tool, Touching>();
-  const each = unclaimed(pieces);
-  for (let index = steps.length - 1; index >= first; index -= 1) {
-    const step = steps[index] as Step;
-    if (!makesSurface(step)) continue;
-    const tool = tools.get(step.tool) ?? touchingOf(step.tool);
-    tools.set(step.tool, tool);
-    const path = pathOf(step.from, step.move), box = part.boxOf(path), long = part.lengthOf(path) > SAME;
-    const reached = {
-      left: box.left + tool.box.left,
-      right: box.right + tool.box.right,
-      low: box.low + tool.box.low,
-      high: box.high + tool.box.high,
-    };
-    each(reached, (number, middle) => {
-      const piece = pieces[number] as SurfacePiece, { out } = piece;
-      const ends = tool.ends[number] ??= farthest(tool.shape, flat.scaled(out, -1));
-      const tip = tipOn(path, ends.map((end) => at(middle.z - end.u, middle.r - end.v)));
-      if (!tip) return false;
-      const way = part.direction(path, tip);
-      made[number] = { ...piece, step: index, tip, along: long && Math.abs(way.z * out.u + way.r * out.v) < ALONG };
-      return true;
-    });
-  }
-  return made;
+  const touched = touchIndex(steps), shapes = new Map<Tool, Convex>(), end = { step: steps.length, fraction: 0 };
+  return pieces.map((piece): Made => {
+    const { from, to, out } = piece;
+    const index = touched.latest((from.z + to.z) / 2, (from.r + to.r) / 2, end, first - 1), step = steps[index];
+    if (!step) return { ...piece, step: null, tip: from, along: false };
+    const shape = shapes.get(step.tool) ?? moved(insertShape(step.tool, true), shiftOf(step.tool));
+    shapes.set(step.tool, shape);
+    const path = pathOf(step.from, step.move), tip = tipOver(piece, path, shape);
+    if (!tip) return { ...piece, step: index, tip: path.to, along: false };
+    const way = part.direction(path, tip);
+    return { ...piece, step: index, tip, along: Math.abs(way.z * out.u + way.r * out.v) < ALONG };
+  });
 }

@@ -5,7 +5,7 @@ import { GRID, SAME } from "../../kernel/tolerance.ts";
 import { ROUGH_RZ, rzByRule } from "../../sim/load/cusp.ts";
 import { feedPerTurn, rpmAt } from "../../sim/load/spindles.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
-import { touchIndex } from "./touch-index.ts";
+import { touchIndex } from "../../sim/touch-index.ts";
 
 /** How a stretch of a boundary looks: as it came, rough, finished, or a flank of a thread. */
 export type Texture = "raw" | "rough" | "finished" | "thread";

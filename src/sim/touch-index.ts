@@ -1,14 +1,14 @@
-import { insertOutline } from "../../kernel/insert.ts";
-import type { Step } from "../../kernel/step.ts";
-import { pathOf } from "../../kernel/time.ts";
-import { CHORD, SAME } from "../../kernel/tolerance.ts";
-import type { Tool } from "../../kernel/tool.ts";
-import { part, type Ring } from "../../kernel/point.ts";
-import { boxOf } from "../../kernel/box.ts";
-import type { Box } from "../../kernel/geometry/segments.ts";
-import type { ConvexPiece } from "../../sim/piece.ts";
-import type { PlayPosition } from "../../sim/simulation.ts";
-import { sweptBy } from "../../sim/sweep.ts";
+import { insertOutline } from "../kernel/insert.ts";
+import type { Step } from "../kernel/step.ts";
+import { pathOf } from "../kernel/time.ts";
+import { CHORD, SAME } from "../kernel/tolerance.ts";
+import type { Tool } from "../kernel/tool.ts";
+import { part, type Ring } from "../kernel/point.ts";
+import { boxOf } from "../kernel/box.ts";
+import type { Box } from "../kernel/geometry/segments.ts";
+import type { ConvexPiece } from "./piece.ts";
+import type { PlayPosition } from "./simulation.ts";
+import { sweptBy } from "./sweep.ts";
 
 /** Finds which move has a place on the edge of what it swept. */
 export interface TouchIndex {
