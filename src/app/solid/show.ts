@@ -46,10 +46,14 @@ const QUICK = 64;
 const PAUSE = 3;
 /** Most pixels that are drawn, and the finest ratio of them to those of the page. */
 const PIXELS = { most: 2_600_000, ratio: 2 } as const;
-/** Pictures slower than this, ms, are drawn with fewer pixels while something moves; then how many fewer, and the fewest. */
-const SLOW = { ms: 40, pictures: 6, by: 0.7, least: 0.5 } as const;
-/** After so long without a picture everything is drawn sharp, ms. */
-const REST = 160;
+/**
+ * Pictures that come later than this after they were asked for, ms, are drawn with fewer pixels while something moves: after so many, of
+ * which a very late one counts as a few; then how many fewer, and the fewest. After so many that come soon there are more again.
+ */
+const SLOW = { ms: 40, pictures: 6, few: 3, by: 0.7, least: 0.4 } as const;
+const SOON = { ms: 24, pictures: 90 } as const;
+/** After so long without a picture, or after so many times what the last one took, everything is drawn sharp. */
+const REST = { ms: 160, times: 3 } as const;
 
 /** Flanks of threads: how far they may lie from the true ones, mm, and the most corners of all of them at rest and while it plays. */
 const THREAD = { within: 0.015, resting: 90_000, playing: 30_000 } as const;
@@ -66,7 +70,8 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, onRings: (
   let [builtAt, cost] = [-Infinity, 0];
   let canvas: { readonly size: Size; readonly below: number } = { size: eye.size(), below: 0 };
   let [asked, changed]: [(() => void) | null, boolean] = [null, true];
-  let [coarse, slow, lastPicture] = [1, 0, 0];
+  let [coarse, learned, slow, soon] = [1, 1, 0, 0];
+  let [askedAt, lastPicture] = [0, 0];
   let resting: ReturnType<typeof setTimeout> | undefined;
   let heard: (() => void)[] = [];
 
@@ -116,22 +121,28 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, onRings: (
     stage.setStep(position?.step ?? 0);
   }
 
-  /** Fewer pixels where pictures come too slowly one after the other. */
-  function mind(now: number): void {
-    const took = now - lastPicture;
-    lastPicture = now;
-    if (took > REST || coarse <= SLOW.least) return;
-    slow = took > SLOW.ms ? slow + 1 : 0;
-    if (slow < SLOW.pictures) return;
-    slow = 0;
-    coarse = Math.max(SLOW.least, coarse * SLOW.by);
+  function setCoarse(share: number): void {
+    if (share === coarse) return;
+    coarse = share;
     applySize();
+  }
+
+  /** Fewer pixels where pictures come too slowly after they were asked for; returns how long this one took. */
+  function mind(now: number): number {
+    const took = now - Math.max(lastPicture, askedAt), goesOn = playing() || askedAt - lastPicture < REST.ms;
+    lastPicture = now;
+    slow = took > SLOW.ms ? slow + Math.min(SLOW.few, Math.floor(took / SLOW.ms)) : 0;
+    soon = took < SOON.ms ? soon + 1 : 0;
+    if (slow >= SLOW.pictures) [learned, slow] = [Math.max(SLOW.least, learned * SLOW.by), 0];
+    if (soon >= SOON.pictures) [learned, soon] = [Math.min(1, learned / SLOW.by), 0];
+    if (goesOn) setCoarse(learned);
+    return took;
   }
 
   function picture(): void {
     asked = null;
     const begun = stopwatch();
-    mind(begun);
+    const took = mind(begun);
     if (changed && (!playing() || begun - builtAt > PAUSE * cost)) {
       build();
       builtAt = stopwatch();
@@ -143,18 +154,19 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, onRings: (
     stage.draw(eye.get(), eye.size(), 2 * wide + Math.hypot(centre[2], centre[1], centre[0]) + (tip ? Math.hypot(tip.z, tip.r) : 0));
     if (changed) ask();
     clearTimeout(resting);
-    if (coarse < 1) resting = setTimeout(sharpen, REST);
+    if (coarse < 1) resting = setTimeout(sharpen, Math.max(REST.ms, REST.times * took));
   }
 
   function sharpen(): void {
-    if (asked) return;
-    coarse = 1;
-    applySize();
+    if (asked || playing()) return;
+    setCoarse(1);
     ask();
   }
 
   function ask(): void {
-    asked ??= clock.frame(picture);
+    if (asked) return;
+    askedAt = stopwatch();
+    asked = clock.frame(picture);
   }
   const changeWork = () => {
     changed = true;
