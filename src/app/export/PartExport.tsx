@@ -5,6 +5,7 @@ import type { ExportTexts } from "../../i18n/en/export.ts";
 import { writeDxf } from "../../program/write-dxf.ts";
 import { contourSvg } from "../../view/contour-svg.ts";
 import { bodyStl } from "../../view/solid/export.ts";
+import { showsPlane, useAskedView } from "../approach/shown-view.ts";
 import { downloadBytes, downloadText } from "../files/download.ts";
 import { Icon } from "../Icon.tsx";
 import { playback } from "../playback.ts";
@@ -13,7 +14,8 @@ import { laterTexts } from "../settings/later-texts.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { useModal } from "../use-modal.ts";
-import { BODIES, bodiesOf, contoursOf, layersOf, type BodyName, type OfferedBody, type OfferedContour } from "./exports.ts";
+import { BODIES, bodiesOf, contoursOf, drawnTogether, layersOf, turnedMoment, type BodyName, type OfferedBody,
+  type OfferedContour } from "./exports.ts";
 import "./export.css";
 
 const { useThemSoon: useExportTexts } = laterTexts(loadExport);
@@ -68,12 +70,13 @@ interface Part {
 
 function Bodies({ words: t, outcome: { run, simulation }, stem, say }: Part) {
   const language = useSettings((s) => s.language);
-  const { position } = playback.get();
+  const asked = useAskedView((v) => v.asked), { position: shown } = playback.get();
+  const position = useMemo(() => turnedMoment(run, shown, showsPlane(run, asked)), [run, shown, asked]);
   const bodies = useMemo(() => bodiesOf(run, simulation, position), [run, simulation, position]);
   const count = (n: number) => formatNumber(language, n, 0);
   const hint = (name: BodyName) => name === "stock" ? t.bodyHint.stock(count(position.step), count(run.steps.length)) : t.bodyHint[name];
   const save = (name: BodyName, body: OfferedBody) => {
-    if (!("rings" in body)) return;
+    if ("lack" in body) return;
     const file = `${stem}_${t.file[name]}.stl`, { bytes, volume, hasRings } = bodyStl(body, `${stem} ${name}`);
     downloadBytes(bytes, file);
     const saved = t.saved(file, formatNumber(language, volume, 2));
@@ -101,6 +104,7 @@ function Bodies({ words: t, outcome: { run, simulation }, stem, say }: Part) {
         })}
       </ul>
       <p className="small soft">{t.bodiesHint}</p>
+      {run.plane.length > 0 && run.steps.length > 0 && <Warning text={t.milling} />}
       {run.unproved.length > 0 && <Warning text={t.unproved} />}
     </section>
   );
@@ -110,7 +114,8 @@ const ALL = "all";
 
 function Contours({ words: t, outcome: { run }, stem, say }: Part) {
   const group = useId(), contours = useMemo(() => contoursOf(run), [run]);
-  const [chosen, choose] = useState<string>(ALL), [diameters, setDiameters] = useState(false);
+  const together = drawnTogether(contours);
+  const [chosen, choose] = useState<string>(together ? ALL : "0"), [diameters, setDiameters] = useState(false);
   if (contours.length === 0) {
     return (
       <section aria-label={t.contour}>
@@ -119,13 +124,15 @@ function Contours({ words: t, outcome: { run }, stem, say }: Part) {
       </section>
     );
   }
-  const layers = layersOf(contours).filter((_, i) => chosen === ALL || chosen === String(i));
+  const isChosen = (_: unknown, i: number) => chosen === ALL || chosen === String(i);
+  const layers = layersOf(contours).filter(isChosen), isTurned = contours.find(isChosen)?.plane === "ZX";
+  const own = contours.length > 1 && chosen !== ALL ? `${stem}_${Number(chosen) + 1}` : stem;
   const save = (text: string, ending: string) => {
-    const file = `${stem}.${ending}`;
+    const file = `${own}.${ending}`;
     downloadText(text, file);
     say(t.savedFile(file));
   };
-  const name = ({ block, cycle }: OfferedContour) => t.one(String(block), String(cycle));
+  const name = ({ block, cycle }: OfferedContour) => (cycle === null ? t.milled(String(block)) : t.one(String(block), String(cycle)));
   return (
     <section aria-label={t.contour}>
       <h3>{t.contour}</h3>
@@ -133,24 +140,26 @@ function Contours({ words: t, outcome: { run }, stem, say }: Part) {
         <label>
           <span>{t.which}</span>
           <select className="select" value={chosen} onChange={(event) => choose(event.target.value)}>
-            <option value={ALL}>{t.all}</option>
-            {contours.map((each, i) => <option key={each.operation} value={i}>{name(each)}</option>)}
+            {together && <option value={ALL}>{t.all}</option>}
+            {contours.map((each, i) => <option key={i} value={i}>{name(each)}</option>)}
           </select>
         </label>
       )}
-      <fieldset>
-        <legend>{t.across}</legend>
-        {([false, true] as const).map((each) => (
-          <label key={String(each)}>
-            <input type="radio" name={group} checked={diameters === each} onChange={() => setDiameters(each)} />
-            {each ? t.diameter : t.radius}
-          </label>
-        ))}
-      </fieldset>
-      <p className="small soft">{t.acrossHint} {t.svgHint}</p>
+      {isTurned && (
+        <fieldset>
+          <legend>{t.across}</legend>
+          {([false, true] as const).map((each) => (
+            <label key={String(each)}>
+              <input type="radio" name={group} checked={diameters === each} onChange={() => setDiameters(each)} />
+              {each ? t.diameter : t.radius}
+            </label>
+          ))}
+        </fieldset>
+      )}
+      <p className="small soft">{isTurned ? `${t.acrossHint} ${t.svgHint}` : t.planeHint}</p>
       <div className="export-ways">
         <button type="button" className="button" aria-label={t.save(t.contour, "DXF")}
-          onClick={() => save(writeDxf(layers, diameters), "dxf")}
+          onClick={() => save(writeDxf(layers, isTurned && diameters), "dxf")}
         >
           <Icon name="download" /> DXF
         </button>

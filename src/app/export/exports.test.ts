@@ -11,7 +11,7 @@ import { writeDxf } from "../../program/write-dxf.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { bodyMesh, bodyStl } from "../../view/solid/export.ts";
 import { volumeOf } from "../../view/solid/mesh.ts";
-import { bodiesOf, contoursOf, layersOf, type OfferedBody } from "./exports.ts";
+import { bodiesOf, contoursOf, drawnTogether, layersOf, turnedMoment, type OfferedBody } from "./exports.ts";
 
 const head = `0 BEGIN PGM V MM
 1 BLK FORM CYLINDER Z D75 L101.3 DIST+1.3
@@ -137,4 +137,64 @@ test("threads leave as helices: half a lead on, a cut through the finished part 
   const apart = ((((down[0] ?? 0) - (up[0] ?? 0)) % 3.5) + 3.5) % 3.5;
   expect(apart).toBeCloseTo(1.75, 1);
   expect(volume(stock) / volume(whole)).toBeCloseTo(1, 2);
+});
+
+/** Two passes round one contour with a rounding, and a cycle in the same program. */
+const milling = `30 FUNCTION MODE MILL
+31 TOOL DEF 9 L+0 R+3.2
+32 TOOL CALL 9 Z S3000
+33 L X-31 Y-27 Z+20 R0 FMAX
+34 L Z-2.3 F300
+35 LBL 4
+36 APPR LT X-12.7 Y-11.4 LEN6 RL F250
+37 L Y+13.9
+38 RND R4.6
+39 L X+15.1
+40 CR X-12.7 Y-11.4 R+41.3 DR-
+41 DEP LT LEN6
+42 L IZ-1.1
+43 CALL LBL 4 REP1
+`;
+
+test("what an approach leads to goes out once, X and Y as they are, apart from what is turned", () => {
+  const both = contoursOf(made(cycle + milling).ran), milled = both.filter(({ plane }) => plane === "XY");
+  expect(both.map(({ plane, cycle: of }) => [plane, of])).toEqual([["ZX", 812], ["XY", null]]);
+  expect([drawnTogether(both), drawnTogether(milled)]).toEqual([false, true]);
+  const { entities } = new DxfParser().parseSync(writeDxf(layersOf(milled), false)) as {
+    readonly entities: readonly { readonly type: string; readonly radius?: number;
+      readonly vertices?: readonly { x: number; y: number }[] }[];
+  };
+  expect(entities.map(({ type }) => type)).toEqual(["LINE", "ARC", "LINE", "ARC"]);
+  expect(entities[0]?.vertices?.map(({ x, y }) => [x, y])).toEqual([[-12.7, -11.4], [-12.7, 9.3]]);
+  expect(entities[1]?.radius).toBeCloseTo(4.6, 9);
+  expect(entities[3]?.radius).toBeCloseTo(41.3, 9);
+});
+
+test("a milled program has its block, X, Y and Z as they are; what is milled of a turned one leaves its moment", () => {
+  const plate = run(parse(`1 BLK FORM 0.1 Z X-3.7 Y+1.3 Z-19.4\n2 BLK FORM 0.2 X+81.9 Y+47.2 Z+0.6\n${milling}`), {
+    tools: shippedTools,
+    rapid: 8_000,
+  });
+  const none = simulate({ blank: [], steps: [], operations: [], unproved: [] });
+  const { part: finished, blank } = bodiesOf(plate, none, { step: 0, fraction: 0 });
+  expect([finished, blank]).toEqual([{ lack: "noTurning" }, {
+    block: { left: -3.7, right: 81.9, low: 1.3, high: 47.2, bottom: -19.4, top: 0.6 },
+  }]);
+  if (!("block" in blank)) throw new Error("no block");
+  const { bytes, volume: said } = bodyStl(blank, "block"), view = new DataView(bytes.buffer);
+  expect(said).toBeCloseTo((85.6 * 45.9 * 20) / 1000, 4);
+  // Each edge is there once in each direction, so that the surface is closed.
+  const corner = (t: number, k: number) => [0, 1, 2].map((n) => view.getFloat32(96 + 50 * t + 12 * k + 4 * n, true).toFixed(3)).join(" ");
+  const edges = Array.from({ length: view.getUint32(80, true) },
+    (_, t) => [0, 1, 2].map((k) => [corner(t, k), corner(t, (k + 1) % 3)] as const)).flat();
+  const known = new Set(edges.map((edge) => edge.join("|")));
+  expect(known.size).toBe(36);
+  for (const [a, b] of edges) expect(known.has(`${b}|${a}`)).toBe(true);
+
+  const mixed = made(`${cycle}${milling}50 FUNCTION MODE TURN\n51 TOOL CALL 1\n52 L X+80 Z+3 R0 FMAX\n53 L X+70 FMAX\n`).ran;
+  const before = mixed.plane[0]?.turned ?? NaN;
+  expect(before).toBeGreaterThan(10);
+  expect(before).toBeLessThan(mixed.steps.length);
+  expect(turnedMoment(mixed, { step: mixed.plane.length, fraction: 0 }, true)).toEqual({ step: before, fraction: 0 });
+  expect(turnedMoment(mixed, { step: 3, fraction: 0.4 }, false)).toEqual({ step: 3, fraction: 0.4 });
 });

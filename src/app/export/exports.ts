@@ -1,3 +1,5 @@
+import type { Cuboid } from "../../kernel/box.ts";
+import { partSegment } from "../../kernel/plane.ts";
 import type { Segment } from "../../kernel/point.ts";
 import type { DxfLayer } from "../../program/write-dxf.ts";
 import type { Run } from "../../program/run-types.ts";
@@ -15,16 +17,25 @@ export type BodyName = (typeof BODIES)[number];
 /** Why something is not there to be written. */
 export type ExportLack = "noBlank" | "noTurning" | "nothingLeft" | "noCycle" | "noContour";
 
-export type OfferedBody = WrittenBody | { readonly lack: ExportLack };
+export type OfferedBody = WrittenBody | { readonly block: Cuboid } | { readonly lack: ExportLack };
 
 const offered = (rings: readonly Ring[], lack: ExportLack, threads: ThreadedStock | null = null): OfferedBody =>
   isBody(rings) ? { rings, threads } : { lack };
 
+/** The moment of the lathe that is shown: a milled one has the stock that was turned before it. */
+export function turnedMoment({ plane, steps }: Pick<Run, "plane" | "steps">, position: PlayPosition, showsPlane: boolean): PlayPosition {
+  return showsPlane ? { step: plane[Math.min(position.step, plane.length - 1)]?.turned ?? steps.length, fraction: 0 } : position;
+}
+
 /** The bodies of a run at a position of its playback, or why there is none. */
 export function bodiesOf(run: Run, simulation: Simulation, position: PlayPosition): Readonly<Record<BodyName, OfferedBody>> {
+  if (run.steps.length === 0 && run.plane.length > 0) {
+    const none = { lack: "noTurning" } as const;
+    return { part: none, blank: run.cuboid ? { block: run.cuboid } : offered(run.blank, "noBlank"), stock: none };
+  }
   if (run.blank.length === 0) {
-    const lack = run.steps.length === 0 && run.plane.length > 0 ? "noTurning" : "noBlank";
-    return { part: { lack }, blank: { lack }, stock: { lack } };
+    const none = { lack: "noBlank" } as const;
+    return { part: none, blank: none, stock: none };
   }
   const player = playerOf(simulation), threads = runThreads(run.steps, player.at, statedSteps(simulation));
   const part = finishedBody(simulation, run.operations), stock = player.at(position);
@@ -38,23 +49,39 @@ export function bodiesOf(run: Run, simulation: Simulation, position: PlayPositio
 
 /** A contour that can be written. */
 export interface OfferedContour {
-  /** Index of the operation that has it first, and its block and cycle. */
-  readonly operation: number;
+  /** The block that cuts it first, and its cycle; null for the contour of an approach or departure. */
   readonly block: number;
-  readonly cycle: number;
+  readonly cycle: number | null;
+  /** The half section with X as a radius, or X and Y of the working plane. */
+  readonly plane: "ZX" | "XY";
   readonly segments: readonly Segment[];
 }
 
-/** The contours of a run, each once: roughing and finishing calls often share one. */
+/** The contours of a run, each once: roughing and finishing calls often share one, and so do an approach and its departure. */
 export function contoursOf(run: Run): readonly OfferedContour[] {
   const known = new Set<string>();
-  return run.operations.flatMap(({ plan: { contour }, block, cycle }, operation) => {
-    const key = JSON.stringify(contour);
-    if (contour.length === 0 || known.has(key)) return [];
+  const turned = run.operations.map(({ plan: { contour }, block, cycle }): OfferedContour => ({
+    block,
+    cycle,
+    plane: "ZX",
+    segments: contour,
+  }));
+  const milled = run.approaches.filter(({ plane }) => plane === "XY").map(({ contour, block }): OfferedContour => ({
+    block,
+    cycle: null,
+    plane: "XY",
+    segments: contour.map(partSegment),
+  }));
+  return [...turned, ...milled].filter(({ plane, segments }) => {
+    const key = plane + JSON.stringify(segments);
+    const isNew = segments.length > 0 && !known.has(key);
     known.add(key);
-    return [{ operation, block, cycle, segments: contour }];
+    return isNew;
   });
 }
+
+/** Whether one drawing can hold them all: half sections and the working plane have no axis in common. */
+export const drawnTogether = (contours: readonly OfferedContour[]): boolean => contours.every(({ plane }) => plane === contours[0]?.plane);
 
 /** Contours as layers of a drawing: one is CONTOUR, several are CONTOUR_1 and so on. */
 export const layersOf = (contours: readonly OfferedContour[]): readonly DxfLayer[] =>

@@ -1,7 +1,8 @@
 import { simplified } from "../../kernel/clip.ts";
-import { boxAround } from "../../kernel/box.ts";
+import { boxAround, type Cuboid } from "../../kernel/box.ts";
 import type { Ring } from "../../kernel/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
+import { cuboidMesh } from "./cuboid.ts";
 import { volumeOf, type Mesh } from "./mesh.ts";
 import type { ThreadedStock } from "./thread-cuts.ts";
 import { threaded } from "./threaded.ts";
@@ -36,8 +37,8 @@ export function bodyMesh({ rings, threads }: WrittenBody): { readonly mesh: Mesh
   return { mesh: wholeMesh(helices ?? revolved(plain, { chords, quarterCut })), hasRings: threads !== null && !helices };
 }
 
-/** A body as a binary STL file with its volume, cm³. */
-export function bodyStl(body: WrittenBody, name: string) {
-  const { mesh, hasRings } = bodyMesh(body);
+/** A body, or the block of a milled one, as a binary STL file with its volume, cm³. */
+export function bodyStl(body: WrittenBody | { readonly block: Cuboid }, name: string) {
+  const { mesh, hasRings } = "block" in body ? { mesh: cuboidMesh(body.block), hasRings: false } : bodyMesh(body);
   return { bytes: stlOf(mesh, name), volume: volumeOf(mesh) / 1000, hasRings };
 }
