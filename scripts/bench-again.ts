@@ -19,12 +19,11 @@ export const PLACES = [["first", 0], ["middle", 0.5], ["last", 1], ["nothing", n
 /** A program with another safety clearance in one of its cycles, each time another: each move to its start is another one then. */
 export function changedAt(text: string, place: number | null, count: number): string {
   if (place === null) return text.replace("END PGM", `; ${count}\n$&`);
-  const values = [...text.matchAll(/CYCL DEF 8\d\d[\s\S]*?Q460=\+?\d+(?:\.\d+)?/g)];
+  const values = [...text.matchAll(/CYCL DEF 8\d\d[\s\S]*?Q460=\+?\d+/g)];
   const value = values[Math.round(place * (values.length - 1))];
   if (!value) throw new Error("no cycle to change");
   const end = value.index + value[0].length;
-  const digits = String(100 + (count % STATES));
-  return `${text.slice(0, end)}${/\.\d+$/.test(value[0]) ? "" : "."}${digits}${text.slice(end)}`;
+  return `${text.slice(0, end)}.${100 + (count % STATES)}${text.slice(end).replace(/^\.\d+/, "")}`;
 }
 
 /** Plans one state of a program after the other, as the page does with each key. */

@@ -101,6 +101,14 @@ function touching(
   });
 }
 
+/** Of some runs the one that has most in common with another at its beginning, where something of that was kept; the first of them. */
+export function nearestRun(known: readonly Former[], input: SimulationInput): Former | null {
+  const [first, ...others] = known;
+  if (!first || others.length === 0) return first ?? null;
+  const common = known.map((former) => (sameRings(former.input.blank, input.blank) ? commonSteps(former.input, input) : -1));
+  return known[common.indexOf(Math.max(...common))] ?? null;
+}
+
 /** Where a run goes on from the one before it; null where they have nothing in common that was kept. */
 export function resumed(
   former: Former,
@@ -121,7 +129,7 @@ export function resumed(
 const LEAST_STEPS = 8;
 const MOST_SNAPSHOTS = 200;
 
-/** Before which steps of a run a snapshot is kept: where operations begin, and at even distances. */
+/** Before which steps of a run a snapshot is kept, beside the one at its end: where operations begin, and at even distances. */
 export function snapshotSteps({ steps, operations }: SimulationInput): (step: number) => boolean {
   const every = Math.max(LEAST_STEPS, Math.ceil(steps.length / MOST_SNAPSHOTS));
   const begins = new Set(operations.length <= MOST_SNAPSHOTS ? operations.map(({ firstStep }) => firstStep) : []);

@@ -13,8 +13,8 @@ import { marksOf } from "./marks.ts";
 import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
 import { recalling } from "./recall.ts";
-import { residualOf, type KnownShapes } from "./residual.ts";
-import { resumed, snapshotSteps, type Former, type Resumed } from "./resume.ts";
+import { residualAgain, residualOf, type KnownShapes } from "./residual.ts";
+import { nearestRun, resumed, snapshotSteps, type Former, type Resumed } from "./resume.ts";
 import type { Depth, StockFinding, Proof, Residual, SimulatedOperation, Simulation, SimulationInput } from "./simulation.ts";
 import { statedBlanks } from "./stated.ts";
 import { sweptBy, type Sweep } from "./sweep.ts";
@@ -39,7 +39,10 @@ const total = (findings: readonly StockFinding[], kind: StockFinding["kind"]) =>
  * The work as it is held: what an outline that is stated later takes the place of is judged as it stood until then, and the contours
  * of before say nothing of what comes behind.
  */
-function setupsOf(operations: readonly SimulatedOperation[], shapes: KnownShapes) {
+function setupsOf(
+  operations: readonly SimulatedOperation[],
+  residual: (stock: readonly Ring[], of: readonly SimulatedOperation[]) => readonly Residual[],
+) {
   const left: Residual[] = [];
   let first = 0;
   const known = (from: number): Finished => {
@@ -49,7 +52,7 @@ function setupsOf(operations: readonly SimulatedOperation[], shapes: KnownShapes
   const atFirst = known(0);
   let finished = atFirst;
   const until = (stock: readonly Ring[], end: number): Residual[] =>
-    residualOf(stock, operations.slice(first, end), shapes).map((r) => ({ ...r, operation: r.operation + first }));
+    residual(stock, operations.slice(first, end)).map((r) => ({ ...r, operation: r.operation + first }));
   return {
     atFirst,
     finished: () => finished,
@@ -117,22 +120,39 @@ function damageBefore(
 /** What a step sweeps, and what it does wrong in a stock. */
 type Look = (step: Step, index: number) => { readonly sweep: Sweep; readonly check: (cut: Cutting) => StockFinding[] };
 
+/** What is made of shapes: anew each time, or known from simulations before. */
+interface Measuring {
+  readonly thickness: KnownShapes["thickness"];
+  readonly residual: typeof residualOf;
+}
+const ANEW: Measuring = { thickness: thicknessOf, residual: residualOf };
+
 /** Cuts the blank by every step and looks at each before it cuts. */
-export const simulate = (input: SimulationInput): Simulation => simulated(input, null, thicknessOf).simulation;
+export const simulate = (input: SimulationInput): Simulation => simulated(input, null, ANEW).simulation;
+
+/** How many runs are known, the newest first, and the steps that all of them may have but for the newest. */
+const [MOST_KNOWN, MOST_KNOWN_STEPS] = [4, 200_000];
+
+/** The runs that stay known when another one comes. */
+function withNewest(newest: Former | null, known: readonly Former[]): readonly Former[] {
+  let steps = 0;
+  const others = known.filter(({ input }) => (steps += input.steps.length) <= MOST_KNOWN_STEPS);
+  return newest ? [newest, ...others].slice(0, MOST_KNOWN) : others;
+}
 
 /**
- * Simulates runs one after the other. What comes is the same as of `simulate`; what the beginning of a run has in common with the run
- * before is not cut and not looked at again.
+ * Simulates runs one after the other. What comes is the same as of `simulate`; what the beginning of a run has in common with one of
+ * the last runs is not cut and not looked at again.
  */
 export function simulating(): (input: SimulationInput) => Simulation {
-  let former: Former | null = null;
+  let known: readonly Former[] = [];
   const thickness = recalling(thicknessOf);
+  const measuring: Measuring = { thickness: thickness.of, residual: residualAgain() };
   return (input) => {
-    const before = former;
-    former = null;
+    const before = nearestRun(known, input);
     thickness.next();
-    const { simulation, kept } = simulated(input, before, thickness.of);
-    former = kept;
+    const { simulation, kept } = simulated(input, before, measuring);
+    known = withNewest(kept, known);
     return simulation;
   };
 }
@@ -140,11 +160,11 @@ export function simulating(): (input: SimulationInput) => Simulation {
 function simulated(
   input: SimulationInput,
   former: Former | null,
-  thickness: KnownShapes["thickness"],
+  { thickness, residual }: Measuring,
 ): { readonly simulation: Simulation; readonly kept: Former | null } {
   const { blank, steps, operations, unproved } = input;
   const outlines = outlinesOf();
-  const setups = setupsOf(operations, { outlines, thickness });
+  const setups = setupsOf(operations, (stock, of) => residual(stock, of, { outlines, thickness }));
   const look: Look = (step, index) => {
     const shapes = outlines(step.tool);
     const sweep = sweptBy(shapes.insert, step);
@@ -155,7 +175,7 @@ function simulated(
   const from = resume?.from;
   const damage = former && resume ? damageBefore(resume, former, input, look) : new Map<number, readonly StockFinding[]>();
   // Where nobody looks any more depends on all that was found before.
-  if (damage.size >= MOST_CONTACTS && resume) return simulated(input, null, thickness);
+  if (damage.size >= MOST_CONTACTS && resume) return simulated(input, null, { thickness, residual });
   const marks = marksOf(former && from ? former.marks.slice(0, from.marks) : [{ step: 0, stock: packed(blank) }]);
   const measure = measuring(operations, blank, former && from ? { state: from.measure, step: from.step, sums: former.sums } : null);
   const snapshots = former && from ? former.snapshots.filter(({ step }) => step <= from.step) : [];
@@ -186,7 +206,9 @@ function simulated(
     if (step.move.kind === "rapid" && !unlooked) byRapids += areaOf(inStock([sweep], cut.present()));
     cut.add(sweep);
   }
-  const { cut } = at.present();
+  const { cut, marked } = at.present();
+  if (steps.length > (from?.step ?? 0))
+    snapshots.push({ step: steps.length, cut: cut.copy(), marked, marks: marks.all().length, byRapids, measure: measure.state(null) });
   const last = statements.at(steps.length, cut);
   if (last) {
     setups.change(cut.stock(), steps.length);

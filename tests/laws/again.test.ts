@@ -1,6 +1,7 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import { parse } from "../../src/nc/parse.ts";
+import { planMemory } from "../../src/program/plan-memory.ts";
 import { run } from "../../src/program/run.ts";
 import { shippedTools } from "../../src/program/shipped-tools.ts";
 import { simulate, simulating } from "../../src/sim/simulate.ts";
@@ -44,10 +45,19 @@ const moved = lines((all, at) => void all.splice(at, 0, "L Z+3.217 F0.21"));
 const dropped = lines((all, at) => void all.splice(at, 1));
 const stated = lines((all, at) => void all.splice(at, 0, "BLK FORM CYLINDER Z D77.3 L121 DIST+1"));
 
-const edits = fc.tuple(fc.constantFrom("number", "number", "number", "number", "note", "move", "drop", "tool", "blank"), fc.nat(9973),
-  fc.integer({ min: -4000, max: 4000 }).map((n) => n / 913));
+const ended = ({ text, ...rest }: State, by: number): State => ({
+  ...rest,
+  text: text.replace(/(?=\d* ?END PGM)/, `L X+${(Math.abs(by) * 20).toFixed(3)} Z-1.3 F0.2\n`),
+});
 
-function edited(state: State, [kind, which, by]: readonly [string, number, number]): State {
+const kinds = ["number", "number", "number", "number", "undo", "undo", "note", "move", "drop", "end", "tool", "blank"] as const;
+const edits = fc.tuple(fc.constantFrom(...kinds), fc.nat(9973), fc.integer({ min: -4000, max: 4000 }).map((n) => n / 913));
+
+/** The state after one more change; the last of `before` is the one now. */
+function edited(before: readonly State[], [kind, which, by]: readonly [string, number, number]): State {
+  const state = before.at(-1) as State;
+  if (kind === "undo") return before[Math.max(0, before.length - 2 - (which % 4))] ?? state;
+  if (kind === "end") return ended(state, by);
   if (kind === "note") return noted(state, which);
   if (kind === "move") return moved(state, which);
   if (kind === "drop") return dropped(state, which);
@@ -58,19 +68,28 @@ function edited(state: State, [kind, which, by]: readonly [string, number, numbe
 
 const ran = ({ text, nose }: State) => run(parse(text), shop(nose));
 
+/** Runs one state after the other, with what the ones before have planned. */
+function running(): typeof ran {
+  const memory = planMemory();
+  return ({ text, nose }) => {
+    memory.next();
+    return run(parse(text), { ...shop(nose), memory });
+  };
+}
+
 test.each([["flange.h", 6], ["shaft.h", 3], ["shoulder-812.h", 12], ["turn-blank.h", 8]] as const)(
   "what is proved again of a changed %s is what is proved of it alone",
   (name, numRuns) => {
     const text = textOf(name);
     expect(text).not.toBe("");
-    fc.assert(fc.property(fc.array(edits, { minLength: 2, maxLength: 4 }), (changes) => {
-      const proved = simulating();
-      let state: State = { text, nose: 0 };
-      proved(ran(state));
+    fc.assert(fc.property(fc.array(edits, { minLength: 2, maxLength: 5 }), (changes) => {
+      const [proved, runs] = [simulating(), running()];
+      const states: State[] = [{ text, nose: 0 }];
+      proved(runs({ text, nose: 0 }));
       for (const change of changes) {
-        state = edited(state, change);
-        const input = ran(state);
-        expect(proved(input)).toEqual(simulate(input));
+        const state = edited(states, change);
+        states.push(state);
+        expect(proved(runs(state))).toEqual(simulate(ran(state)));
       }
     }), { numRuns });
   },
@@ -93,4 +112,22 @@ test("a changed end keeps the stock of what comes before it", () => {
   expect(after).toEqual(simulate(ran(state)));
   const lastOperation = ran(state).operations.at(-1)?.firstStep ?? 0;
   expect(kept(before, after)).toBeGreaterThanOrEqual(before.checkpoints.filter(({ step }) => step <= lastOperation).length);
+});
+
+test("what was proved before is known when it comes again, and when nothing moves otherwise", () => {
+  // Roughing alone leaves its oversize.
+  const text = textOf("flange.h").replaceAll(/Q215=\+?0/g, "Q215=+1");
+  const [proved, runs] = [simulating(), running()];
+  const simulationOf = (each: string) => proved(runs({ text: each, nose: 0 }));
+  const before = simulationOf(text);
+  const noted = simulationOf(text.replace("END PGM", "; a note\n$&"));
+  expect(kept(before, noted)).toBe(before.checkpoints.length);
+  // The first cycle is another one: all behind it is cut anew.
+  const other = simulationOf(text.replace(/Q463=\+?[\d.]+/, "Q463=+1.37"));
+  expect(kept(before, other)).toBeLessThan(before.checkpoints.length / 2);
+  const again = simulationOf(text);
+  expect(kept(before, again)).toBe(before.checkpoints.length);
+  expect(again).toEqual(before);
+  expect(again.proof.residual[0]?.ring).toBe(before.proof.residual[0]?.ring);
+  expect(before.proof.residual.length).toBeGreaterThan(0);
 });
