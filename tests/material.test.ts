@@ -16,7 +16,7 @@ import { surfacesOf } from "../src/view/material/surfaces.ts";
 import { svgPen } from "../src/view/material/svg-pen.ts";
 import { sceneOf } from "../src/view/scene.ts";
 
-/** The work as the lathe view paints it, kept as drawings: the printed examples, a bore, a thread. */
+/** The work as the lathe view paints it, kept as drawings: the printed examples, a bore, a thread, recesses in the face and around. */
 const programs = import.meta.glob<string>("./programs/*.h", { query: "?raw", import: "default", eager: true });
 
 const COLOURS: MaterialColours = {
@@ -54,7 +54,11 @@ function drawn(program: string, share: number, section: "half" | "full" | "outsi
 }
 
 describe.each(
-  [["812", "half", true], ["820", "outside", true], ["852", "half", false], ["bore-810", "full", true], ["831", "half", true]] as const,
+  [["812", "half", true], ["820", "outside", true], ["852", "half", false], ["bore-810", "full", true], ["831", "half", true], [
+    "870",
+    "half",
+    true,
+  ], ["862", "outside", true]] as const,
 )("%s, %s", (program, section, xUp) => {
   test.each([["middle", 0.537], ["end", 1]] as const)("in the %s", async (moment, share) => {
     await expect(drawn(program, share, section, xUp)).toMatchFileSnapshot(`./material/${program}-${moment}.svg`);
