@@ -68,7 +68,8 @@ interface Row {
 const isNear = (a: number, b: number, least = 0) =>
   Object.is(a, b) || Math.abs(a - b) <= Math.max(least, SAME_SHARE * Math.max(Math.abs(a), Math.abs(b)));
 const areAlike = (a: Row, b: Row) =>
-  a.limited === b.limited && isNear(a.speed, b.speed) && isNear(a.feed, b.feed) && isNear(a.depth, b.depth, SAME_DEPTH)
+  a.limited === b.limited && isNear(a.speed, b.speed) && isNear(a.rpm, b.rpm) && isNear(a.feed, b.feed)
+  && isNear(a.depth, b.depth, SAME_DEPTH)
   && a.depth > 0 === b.depth > 0;
 
 const cuts = ({ move, from }: Step) => {

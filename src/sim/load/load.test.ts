@@ -144,6 +144,19 @@ describe("what is taken along the path", () => {
     expect(rowAt(load, 0, fractionAt(20)).depth).toBeCloseTo(1.3, 2);
   });
 
+  test("facing without a limit: speed, feed and depth stay, and the spindle turns ever faster", () => {
+    const spindle: Spindle = { kind: "surface", cuttingSpeed: 183, limit: 0 };
+    const load = loadOf([box(-60, 0, 1.3, 30.5)], stepsOf({ ...copier, "T-ANGLE": degrees(120) }, at(0, 33), [cut(0, -0.8, 0.17)]),
+      spindle);
+    for (const r of [27.1, 14.3, 6.9]) {
+      const row = rowAt(load, 0, (33 - r) / 33.8), rpm = 183_000 / (2 * Math.PI * r);
+      expect([row.speed, row.feed]).toEqual([expect.closeTo(183, 9), 0.17]);
+      expect(row.depth).toBeCloseTo(1.3, 2);
+      // A stretch is 0.75 mm, within which the speed is told once.
+      expect(Math.abs(row.rpm / rpm - 1)).toBeLessThan(0.75 / r + 0.02);
+    }
+  });
+
   test("a thread has a feed by its lead and no depth", () => {
     const thread: Move = { kind: "thread", to: at(-20, 30), pitch: length(1.75), axis: "z", angle: degrees(0), stops: false, ...purpose };
     const { depth, feed } = rowAt(loadOf(blank, stepsOf(copier, at(4, 30), [thread])), 0, 0.5);
