@@ -157,3 +157,16 @@ test("keys walk what is drawn now: another contour between two of them is the on
   press("p");
   expect(cross()).toEqual(at(-41.3, 23.33));
 });
+
+test("what is measured twice stands there once, and in the air a caliper says that there is nothing", () => {
+  const { measuring, press, tap } = measuringShaft();
+  press("d");
+  tap(at(-7.3, 8.5));
+  tap(at(-30.1, 15.3));
+  expect(measuring.state.getState()).toMatchObject({ said: texts.none.surface, done: null });
+  const [one] = measuredIn(useEditor.getState());
+  tap(one?.places[0]?.at ?? at(0, 0));
+  tap(one?.places[0]?.at ?? at(0, 0));
+  expect(measured()).toEqual(["diameter 17.000"]);
+  expect(measuring.state.getState().done?.places).toBe(one?.places);
+});

@@ -6,8 +6,9 @@ import { chainOfRing } from "../../view/measure/edges.ts";
 import { gauged } from "../../view/measure/figure.ts";
 import { gripOf, nextStop, snapAt, snappingOf, stopsOf, type Grip, type Snapping } from "../../view/measure/snap.ts";
 import { pickedWith } from "../../view/measure/tool.ts";
-import { setMeasured } from "../edits.ts";
+import { measuredIn, setMeasured } from "../edits.ts";
 import type { Viewport } from "../lathe/viewport.ts";
+import { useEditor } from "../store.ts";
 import { pageUnit } from "../unit.ts";
 import { holds } from "../use-media.ts";
 import { TOOL_KEYS, type MeasureHand, type Measuring, type MeasureState } from "./measuring.ts";
@@ -59,6 +60,10 @@ function snappingIn(sourceNow: () => MeasureSource): () => Snapped {
 
 const nextId = (list: readonly Measurement[]): string => String(1 + list.reduce((most, { id }) => Math.max(most, Number(id) || 0), 0));
 
+/** What is measured twice stands on the picture once. */
+const isSame = (a: Omit<Measurement, "id">, b: Omit<Measurement, "id">): boolean =>
+  a.kind === b.kind && a.plane === b.plane && JSON.stringify([a.places, a.moment]) === JSON.stringify([b.places, b.moment]);
+
 /** What there is to measure, and where; all of it as it is shown now. */
 export interface MeasurePlace {
   readonly viewport: Viewport;
@@ -87,8 +92,10 @@ export function measureHand(
     const places = picked.measured;
     if (!gauged(kind, places, snapping.drawing.isTurned)) return put(none);
     const ofStock = moment !== null && places.some(({ edge }) => edge?.of === "stock");
-    setMeasured((list) => [...list, { id: nextId(list), kind, plane: source().plane, places, ...(ofStock && { moment }) }]);
-    put({ cross: place, first: null, done: { kind, places }, said: "" });
+    const made = { kind, plane: source().plane, places, ...(ofStock && { moment }) };
+    const again = measuredIn(useEditor.getState()).find((each) => isSame(each, made));
+    if (!again) setMeasured((list) => [...list, { id: nextId(list), ...made }]);
+    put({ cross: place, first: null, done: { kind, places: again?.places ?? places }, said: "" });
   };
   const takesTwo = () => ["length", "depth", "distance", "angle"].includes(get().kind);
 

@@ -24,7 +24,8 @@ export function pickedWith(kind: MeasuredKind, snapping: Snapping, place: Measur
   switch (kind) {
     case "diameter":
       if (!snapping.drawing.isTurned && place.edge?.segment.kind !== "arc") return "nothing";
-      return snapping.drawing.isTurned && Math.abs(place.at.r) < SAME ? "nothing" : { measured: [place] };
+      // A caliper closes on a surface: beside all of them it would measure where the pointer happened to be.
+      return !place.edge || (snapping.drawing.isTurned && Math.abs(place.at.r) < SAME) ? "nothing" : { measured: [place] };
     case "radius":
       return place.edge?.segment.kind === "arc" ? { measured: [place] } : "nothing";
     case "wall": {
