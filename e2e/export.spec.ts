@@ -74,7 +74,7 @@ test("the part leaves as bodies and drawings that other programs read, from a cy
   await turnwise.editor.openExample("flange");
   await open();
   await dialog.getByRole("combobox", { name: words.which, exact: true }).selectOption("1");
-  expect((await save(words.contour, "DXF")).name).toBe("FLANGE.dxf");
+  expect((await save(words.contour, "DXF")).name).toBe("FLANGE_2.dxf");
   expect(measured((await save(words.body.part, "STL")).bytes).volume).toBeGreaterThan(10_000);
   for (const [width, height] of [[390, 844], [768, 1024]] as const) {
     await page.setViewportSize({ width, height });
