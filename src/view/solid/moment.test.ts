@@ -6,7 +6,8 @@ import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { playerOf } from "../../sim/stock.ts";
-import { statedSteps } from "./bodies.ts";
+import { areaOf } from "../../kernel/area.ts";
+import { colouredBodies, statedSteps } from "./bodies.ts";
 import { bodiesAt } from "./moment.ts";
 import { runThreads } from "./thread-cuts.ts";
 import type { ThreadTurning } from "./threaded.ts";
@@ -18,7 +19,8 @@ function moments(text: string) {
   const simulation = simulate({ blank, stated, steps, operations, unproved }), player = playerOf(simulation);
   const threads = runThreads(steps, player.at, statedSteps(simulation));
   const at = (position: PlayPosition) => bodiesAt({ stock: player.at(position), simulation, threads, position, size: 60 }, fine);
-  return { steps, at, threads };
+  const leftAt = (position: PlayPosition) => colouredBodies(player.at(position), simulation, position, 60).residual;
+  return { steps, at, threads, leftAt, residual: simulation.proof.residual };
 }
 const printed = readFileSync("tests/programs/cycle-831.h", "utf8");
 
@@ -41,3 +43,28 @@ test("what was turned away after the thread is gone from it", () => {
 test("a program without threads has none", () => {
   expect(moments(readFileSync("src/examples/flange.h", "utf8")).threads).toBeNull();
 });
+
+test.each([["830", 11, 1000], ["832", 1, 0]])("what should have been taken between the grooves of cycle %s is told where it was left",
+  (cycle, least, corners) => {
+    const { steps, at, residual, leftAt } = moments(readFileSync(`tests/programs/cycle-${cycle}.h`, "utf8"));
+    const { bodies, hasRings } = at({ step: steps.length, fraction: 0 });
+    expect(hasRings).toBe(false);
+    const left = leftAt({ step: steps.length, fraction: 0 });
+    expect(residual.length).toBeGreaterThanOrEqual(least);
+    const told = bodies.filter(({ role }) => role === "residual").map(({ solid }) => solid);
+    // In the half plane of the stock, with x upwards and y = 0, as much is told as was left.
+    const area = told.reduce((sum, { section: { positions: p, index, normals } }) => {
+      let all = sum;
+      for (let t = 0; t < index.length; t += 3) {
+        const [a = 0, b = 0, c = 0] = [0, 1, 2].map((k) => 3 * (index[t + k] ?? 0));
+        if (normals[a + 1] !== 1) continue;
+        const [x, z] = [(i: number) => p[i] ?? 0, (i: number) => p[i + 2] ?? 0];
+        all += Math.abs((x(b) - x(a)) * (z(c) - z(a)) - (z(b) - z(a)) * (x(c) - x(a))) / 2;
+      }
+      return all;
+    }, 0);
+    // The fine lines of the helix lie beside the corners of the stock by as much as is asked for.
+    expect(Math.abs(area / areaOf(left) - 1)).toBeLessThan(0.08);
+    const cut = Math.max(...told.map(({ surface }) => surface.index.length));
+    expect(cut).toBeGreaterThanOrEqual(corners);
+  });

@@ -1,11 +1,11 @@
 import { boxAround, gapBetween } from "../../kernel/box.ts";
-import { difference } from "../../kernel/clip.ts";
+import { difference, intersection, offset, union } from "../../kernel/clip.ts";
 import type { Ring } from "../../kernel/point.ts";
 import type { PlayPosition, Simulation } from "../../sim/simulation.ts";
 import { colouredBodies, type ColouredBodies } from "./bodies.ts";
 import { revolved, type Solid } from "./revolve.ts";
 import type { RunThreads, ThreadedStock } from "./thread-cuts.ts";
-import { threaded, type ThreadTurning } from "./threaded.ts";
+import { threadedBody, type ThreadTurning } from "./threaded.ts";
 
 /** A body of the work by what it is made of, which decides its colour. */
 export interface MomentBody {
@@ -27,31 +27,38 @@ export interface Moment {
 /** What is told by colour lies in no groove when it is farther from all of them, mm. */
 const APART = 0.05;
 
-/** Whether grooves lie where nothing is told by colour: what is left or hurt in a thread is told on rings. */
-function isPlain({ residual, gouge }: ColouredBodies, stock: readonly Ring[], { base }: ThreadedStock): boolean {
-  const told = [...residual, ...gouge];
-  if (told.length === 0) return true;
-  const grooves = boxAround(difference(base, stock));
-  return told.every((ring) => gapBetween(boxAround([ring]), grooves) > APART);
+/** The steel of a moment with its threads, and what of them should have been taken; null where they can be rings only. */
+function withThreads(
+  all: ColouredBodies,
+  { stock, base, cuts }: ThreadedStock & Pick<Moment, "stock">,
+  coloured: (rings: readonly Ring[]) => ColouredBodies,
+  turning: ThreadTurning,
+) {
+  const grooves = boxAround(difference(base, stock)), near = (ring: Ring) => gapBetween(boxAround([ring]), grooves) <= APART;
+  // A gouge is a skin, and a groove goes through it.
+  if (all.gouge.some(near)) return null;
+  const between = all.residual.filter(near), whole = coloured(base).steel;
+  const body = threadedBody(union(all.steel, between), { base: union(whole, intersection(offset(between, GAP), base)), cuts }, turning,
+    between);
+  return body && { ...body, rest: all.residual.filter((ring) => !near(ring)) };
 }
+/** What was left between grooves is joined to what fills them, mm. */
+const GAP = 0.05;
 
 /** The bodies of a moment; `hasRings`: a thread in them is rings, because it could not be made a helix. */
 export function bodiesAt(
   { stock, simulation, threads, position, size }: Moment,
-  threading: ThreadTurning,
+  turning: ThreadTurning,
 ): { readonly bodies: readonly MomentBody[]; readonly hasRings: boolean } {
   const coloured = (rings: readonly Ring[]): ColouredBodies =>
     simulation ? colouredBodies(rings, simulation, position, size) : { steel: rings, residual: [], gouge: [] };
   const all = coloured(stock), apart = threads?.of(stock, position) ?? null;
-  const helices = apart && isPlain(all, stock, apart)
-    ? threaded(all.steel, { ...apart, base: coloured(apart.base).steel }, threading)
-    : null;
-  const turned = (rings: readonly Ring[]) => revolved(rings, threading);
-  return {
-    bodies: [{ role: "steel", solid: helices ?? turned(all.steel) }, { role: "residual", solid: turned(all.residual) }, {
-      role: "gouge",
-      solid: turned(all.gouge),
-    }],
-    hasRings: apart !== null && helices === null,
-  };
+  const helices = apart && withThreads(all, { stock, ...apart }, coloured, turning);
+  const turned = (rings: readonly Ring[]) => revolved(rings, turning);
+  const bodies: MomentBody[] = [{ role: "steel", solid: helices?.plain ?? turned(all.steel) }, {
+    role: "residual",
+    solid: turned(helices?.rest ?? all.residual),
+  }, { role: "gouge", solid: turned(all.gouge) }];
+  if (helices?.told) bodies.push({ role: "residual", solid: helices.told });
+  return { bodies, hasRings: apart !== null && helices === null };
 }

@@ -1,4 +1,5 @@
 import { areaOf } from "../../kernel/area.ts";
+import { difference, intersection, isInside, offset, union } from "../../kernel/clip.ts";
 import { at, type Pt, type Ring } from "../../kernel/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { joinedMeshes, NO_MESH, type Mesh } from "./mesh.ts";
@@ -63,6 +64,8 @@ interface Strip {
 
 interface Surfaces {
   readonly strips: readonly Strip[];
+  /** Of those the ones between rows of a thread, with places of each in the half plane of the stock. */
+  readonly told: ReadonlyMap<Strip, readonly Pt[]>;
   /** Rows that are seen as lines, with the columns between which they are. */
   readonly lines: readonly { readonly z: Float64Array; readonly r: Float64Array; readonly shown: (column: number) => boolean }[];
   /** The outline of a column. */
@@ -77,7 +80,7 @@ function rowsOn(profile: Profile, floors: Floors, { chords, hand, within, most }
     const { side, floor } = found, [low, high] = p.z < q.z ? [p, q] : [q, p];
     const made = threadRows(floor, { left: low.z, right: high.z, heights: [side * low.r, side * high.r] }, hand, { chords, within, most });
     failed ||= made === null;
-    return made && { side, rows: made };
+    return made && { side, rows: made, lead: floor.lead };
   });
   return failed ? null : rows;
 }
@@ -91,6 +94,19 @@ function rowOf({ side, rows }: { readonly side: ThreadSide; readonly rows: Threa
 
 const same = (n: number, columns: number) => new Float64Array(columns).fill(n);
 
+/** Where a strip is looked at, as shares of its width. */
+const LOOKS = [0.15, 0.5, 0.85] as const;
+
+/** Where places of a strip would be in the half plane of the stock, from the first quarter in which it has a width. */
+function placesOf({ z, r }: Strip, chords: number, lead: number): readonly Pt[] {
+  for (const quarter of [0, 0.25, 0.5, 0.75]) {
+    const column = Math.round(quarter * chords),
+      [za = 0, zb = 0, ra = 0, rb = 0] = [z[0][column], z[1][column], r[0][column], r[1][column]];
+    if (Math.hypot(zb - za, rb - ra) > SAME) return LOOKS.map((k) => at(za + (zb - za) * k - lead * quarter, ra + (rb - ra) * k));
+  }
+  return [];
+}
+
 /** What an outline sweeps, with its grooves; null where they are too many. */
 function surfacesOf(profile: Profile, floors: Floors, threading: ThreadTurning): Surfaces | null {
   const { points, sides } = profile, columns = threading.chords + 1, threaded = rowsOn(profile, floors, threading);
@@ -99,6 +115,7 @@ function surfacesOf(profile: Profile, floors: Floors, threading: ThreadTurning):
   /** A corner is as low as the grooves beside it. */
   const cornerOf = (i: number, p: Pt) => ends[i]?.[0].r ?? ends[(i + sides.length - 1) % sides.length]?.[1].r ?? same(p.r, columns);
   const corners = sides.map(([a], i) => cornerOf(i, points[a]?.p ?? at(0, 0)));
+  const told = new Map<Strip, readonly Pt[]>();
   const strips: Strip[] = [], lines: Surfaces["lines"][number][] = [];
   const outlines = sides.map(([a, b], i) => {
     const [from, to] = [points[a], points[b]], next = (i + 1) % sides.length, each = threaded[i];
@@ -111,7 +128,9 @@ function surfacesOf(profile: Profile, floors: Floors, threading: ThreadTurning):
     const rows = Array.from({ length: each.rows.count }, (_, row) => rowOf(each, row));
     rows.slice(1).forEach((row, k) => {
       const before = rows[k] as (typeof rows)[number], after = rows[k + 2];
-      strips.push({ z: [before.z, row.z], r: [before.r, row.r], smooth: null });
+      const strip: Strip = { z: [before.z, row.z], r: [before.r, row.r], smooth: null };
+      strips.push(strip);
+      told.set(strip, placesOf(strip, threading.chords, threading.hand * each.lead));
       const falls = (other: typeof before | undefined, c: number) =>
         other !== undefined && each.side * ((row.r[c] ?? 0) - (other.r[c] ?? 0)) > SAME;
       if (row.crest) lines.push({ ...row, shown: (c) => falls(before, c) || falls(after, c) });
@@ -130,7 +149,7 @@ function surfacesOf(profile: Profile, floors: Floors, threading: ThreadTurning):
       return !before || p.z !== before.z || p.r !== before.r;
     });
   };
-  return { strips, lines, outline };
+  return { strips, told, lines, outline };
 }
 
 function meshOf(strips: readonly Strip[], turning: Turning, directions: ReturnType<typeof directionsOf>): Mesh {
@@ -201,11 +220,46 @@ function linesOf(all: readonly Surfaces[], turning: Turning, directions: ReturnT
   return Float32Array.from(out);
 }
 
+/** Rings told by colour are this much wider, mm, so that what lies on their edge lies in them. */
+const EDGE = 0.03;
+
+/** A threaded body, and what of it is told by colour. */
+export interface ThreadedBody {
+  readonly plain: Solid;
+  readonly told: Solid | null;
+}
+
+/** Takes what lies in `rings`, areas of the half plane of the stock between the grooves, apart from the rest; for the screen only. */
+function toldApart(all: readonly Surfaces[], rings: readonly Ring[], lead: number, threading: ThreadTurning): ThreadedBody {
+  const wide = offset(union(rings), EDGE), directions = directionsOf(threading.chords), { first } = spanOf(threading);
+  const isTold = ({ told }: Surfaces, strip: Strip) =>
+    told.get(strip)?.some((place) => wide.some((ring) => isInside(ring, place))) ?? false;
+  const surface = (which: boolean) =>
+    joinedMeshes(all.map((each) => meshOf(each.strips.filter((s) => isTold(each, s) === which), threading, directions)));
+  const [standing, lying] = [all.map(({ outline }) => outline(threading.chords)), all.map(({ outline }) => outline(first))];
+  const on = rings.map((ring) => ring.map((p) => at(p.z + (threading.hand * lead) / 4, p.r)));
+  const faces = (of: typeof intersection) => threading.quarterCut ? cutFaces(of(standing, rings), of(lying, on)) : NO_MESH;
+  return {
+    plain: { surface: surface(false), section: faces(difference), edges: linesOf(all, threading, directions) },
+    told: { surface: surface(true), section: faces(intersection), edges: new Float32Array() },
+  };
+}
+
 /**
  * A stock with its threads as helices, as they lie in its section. Null where that is not to be had, and the rings of the section have to
  * do: leads that cross each other, threads along a face, too many turns, or a section that would not be that of the stock.
  */
-export function threaded(stock: readonly Ring[], { base, cuts }: ThreadedStock, threading: ThreadTurning): Solid | null {
+export function threaded(stock: readonly Ring[], threads: ThreadedStock, threading: ThreadTurning): Solid | null {
+  return threadedBody(stock, threads, threading)?.plain ?? null;
+}
+
+/** The same, in which rings of the half plane that grooves are cut through are a body of their own. */
+export function threadedBody(
+  stock: readonly Ring[],
+  { base, cuts }: ThreadedStock,
+  threading: ThreadTurning,
+  rings: readonly Ring[] = [],
+): ThreadedBody | null {
   const floors: Floors = { 1: threadFloor(cuts, 1, threading.hand), "-1": threadFloor(cuts, -1, threading.hand) };
   const profiles = base.flatMap((ring) => profileOf(parted(ring, floors)) ?? []);
   const surfaces = profiles.map((profile) => surfacesOf(profile, floors, threading));
@@ -213,10 +267,12 @@ export function threaded(stock: readonly Ring[], { base, cuts }: ThreadedStock, 
   if (all.length < surfaces.length || all.length === 0) return null;
   const upright = all.map(({ outline }) => outline(threading.chords)), [wanted, full] = [areaOf(stock), areaOf(base)];
   if (Math.abs(areaOf(upright) - wanted) > AMISS * (full - wanted) + SAME) return null;
+  if (rings.length > 0) return toldApart(all, rings, (floors[1] ?? floors["-1"])?.lead ?? 0, threading);
   const directions = directionsOf(threading.chords), { first } = spanOf(threading);
-  return {
+  const plain: Solid = {
     surface: joinedMeshes(all.map(({ strips }) => meshOf(strips, threading, directions))),
     section: threading.quarterCut ? cutFaces(upright, all.map(({ outline }) => outline(first))) : NO_MESH,
     edges: linesOf(all, threading, directions),
   };
+  return { plain, told: null };
 }
