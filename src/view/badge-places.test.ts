@@ -29,6 +29,11 @@ test("a row stands clear of the badge of another place", () => {
   expect(put[0]).toEqual({ x: 208.5, y: 79 });
   expect(apart(put)).toBeGreaterThanOrEqual(24);
 });
+test("under the upper edge a row goes beside another badge rather than down on the work", () => {
+  const put = badgePlaces([{ x: 260.4, y: 54 }, ...Array.from({ length: 6 }, (_, i) => ({ x: 200 + 6.1 * i, y: 57 }))], seen);
+  for (const { y } of put) expect(y).toBeLessThan(40);
+  expect(apart(put)).toBeGreaterThanOrEqual(24);
+});
 test("beside the edge of the picture a badge stands where it is whole", () => {
   const [first, second] = badgePlaces([{ x: 425, y: 150 }, { x: 301.5, y: 9 }], seen);
   expect(first?.x).toBeLessThanOrEqual(420);

@@ -33,11 +33,22 @@ function rowsOver(crowd: readonly Asked[], seen: Seen): readonly Place[] {
   const inRow = Math.max(1, Math.floor((seen.right - seen.left) / APART)), rows = Math.ceil(crowd.length / inRow);
   const middle = crowd.reduce((sum, { place }) => sum + place.x, 0) / crowd.length + (crowd.length > 1 ? 0 : ASIDE.x);
   const over = Math.min(...crowd.map(({ place }) => place.y)) + ASIDE.y - Math.min(HIGHEST, RISE * (crowd.length - 1));
+  const lowest = crowd.length > 1 ? Math.max(over, seen.top + HALF + (rows - 1) * APART) : over;
   return crowd.map((_, i) => {
     const row = i % rows, column = Math.floor(i / rows), wide = (Math.ceil((crowd.length - row) / rows) - 1) * APART;
     const left = Math.max(seen.left + HALF, Math.min(seen.right - HALF - wide, middle - wide / 2));
-    return { x: left + column * APART, y: over - row * APART };
+    return { x: left + column * APART, y: lowest - row * APART };
   });
+}
+
+/** Columns and rows by which a whole crowd may be shifted, the nearest first: rather to a side than down on the work. */
+const SIDE = 4, FAR = 12, DOWN = 3;
+const SHIFTS: readonly Place[] = Array.from({ length: 2 * FAR + 1 }, (_, i) => i - FAR).flatMap((y) =>
+  Array.from({ length: 2 * SIDE + 1 }, (_, i): Place => ({ x: i - SIDE, y }))
+).sort((a, b) => seemsFar(a) - seemsFar(b) || a.x - b.x);
+
+function seemsFar({ x, y }: Place): number {
+  return Math.abs(x) + Math.abs(y) + (y > 0 ? DOWN : 0);
 }
 
 /**
@@ -46,15 +57,17 @@ function rowsOver(crowd: readonly Asked[], seen: Seen): readonly Place[] {
  */
 export function badgePlaces(places: readonly Place[], seen: Seen): readonly Place[] {
   const put: Place[] = [], found: Place[] = places.map(({ x, y }) => ({ x: x + ASIDE.x, y: y + ASIDE.y }));
-  const rooms = Math.ceil((seen.bottom - seen.top) / APART),
-    shifts = Array.from({ length: 2 * rooms }, (_, i) => i < rooms ? -i : i - rooms + 1);
   for (const crowd of crowdsOf(places)) {
     const sorted = crowd.toSorted((a, b) => a.place.x - b.place.x), first = rowsOver(sorted, seen);
-    const free = shifts.map((shift) => first.map(({ x, y }) => ({ x, y: y + shift * APART }))).find((row) =>
-      row.every((at) => at.y - HALF >= seen.top && at.y + HALF <= seen.bottom && !put.some((other) => near(other, at)))
-    );
+    const shifted = (by: Place) => first.map(({ x, y }) => ({ x: x + by.x * APART, y: y + by.y * APART }));
+    const isFree = (row: readonly Place[]) =>
+      row.every((at) =>
+        at.x - HALF >= seen.left && at.x + HALF <= seen.right && at.y - HALF >= seen.top && at.y + HALF <= seen.bottom
+        && !put.some((other) => near(other, at))
+      );
+    const by = SHIFTS.find((each) => isFree(shifted(each))) ?? { x: 0, y: 0 }, row = shifted(by);
     sorted.forEach(({ index }, i) => {
-      const at = (free ?? first)[i];
+      const at = row[i];
       if (!at) return;
       found[index] = at;
       put.push(at);
