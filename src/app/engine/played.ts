@@ -66,6 +66,9 @@ export function stockPictures(outcome: Outcome, look: StockLook, position: PlayP
   };
 }
 
+/** A canvas of more pixels than this is painted for every second picture: the browser lays all of it anew under what else is there. */
+const MOST_EACH = 2_000_000;
+
 let here: { readonly name: string; readonly canvas: OffscreenCanvas } | null = null;
 /** Counts the plays: one ends where the next one begins. */
 let played = 0;
@@ -96,7 +99,10 @@ export async function play(outcome: Outcome, on: PlayedOn, look: StockLook, cour
   painter.all(pen, look);
   await picture();
   void (async () => {
-    while (played === own) painter.follow(pen, look, at(await picture()));
+    while (played === own) {
+      if (width * height > MOST_EACH) await picture();
+      painter.follow(pen, look, at(await picture()));
+    }
   })();
   await picture();
   return played === own;
