@@ -1,12 +1,13 @@
 import { useCallback, useEffect, useMemo, useRef } from "react";
 import { insertOutline } from "../../kernel/insert.ts";
 import type { Pt, Ring } from "../../kernel/point.ts";
-import { CHORD } from "../../kernel/tolerance.ts";
+import { CHORD, SAME_STEP } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { boundsOf, common, grownBounds } from "../../view/bounds.ts";
 import { toScreen, type Bounds, type Place } from "../../view/camera.ts";
-import { clipOf, frontOf, liesInward, windowsOf } from "../../view/cutting-tool/covered.ts";
+import { liesInward, windowsOf } from "../../view/cutting-tool/covered.ts";
 import { toolBox } from "../../view/cutting-tool/drawing.ts";
+import { liesBehind, silhouetteOf, type Silhouette } from "../../view/cutting-tool/silhouette.ts";
 import type { SectionView } from "../settings/settings.ts";
 import { BreakLine } from "./BreakLine.tsx";
 import { restingTip, runningTip, type Carrying } from "./carry.ts";
@@ -16,6 +17,9 @@ import { stepIndex, type Moving } from "./moving.ts";
 import { usePlayback } from "./use-playback.ts";
 import type { Viewport } from "./viewport.ts";
 
+/** A step is nearly over: what it cuts is gone, and going on from there costs nothing anew. */
+const NEARLY = 1 - SAME_STEP;
+const NO_EDGE: Silhouette = [];
 const CORNER: Place = { x: 0, y: 0 };
 /** Pixels round the drawing of a tool for its lines. */
 const LINE = 4;
@@ -105,20 +109,20 @@ function Sheet({ viewport, tool }: Pick<Standing, "viewport" | "tool">) {
 }
 
 /** A tool that the work may cover: seen where the section is open and out of the work, or as edges behind it. */
-function CoveredTool({ section, end, ...standing }: Standing & { readonly section: SectionView; readonly end: () => number }) {
-  const front = useMemo(() => end(), [end]);
+function CoveredTool({ section, edge, ...standing }: Standing & { readonly section: SectionView; readonly edge: () => Silhouette }) {
+  const silhouette = useMemo(() => edge(), [edge]);
   const { viewport } = standing, seen = useRef<HTMLDivElement>(null), other = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const look = () => {
-      const windows = windowsOf(section, viewport.get(), viewport.size(), front);
-      if (seen.current) seen.current.style.clipPath = windows ? clipOf(windows.seen) : "";
+      const windows = windowsOf(section, viewport.get(), viewport.size(), silhouette);
+      if (seen.current) seen.current.style.clipPath = windows?.seen ?? "";
       if (!other.current) return;
-      other.current.style.clipPath = windows ? clipOf(windows.other) : "";
+      other.current.style.clipPath = windows?.other ?? "";
       other.current.style.display = windows ? "" : "none";
     };
     look();
     return viewport.subscribe(look);
-  }, [viewport, section, front]);
+  }, [viewport, section, silhouette]);
   const drawn = (
     <>
       <Carrier {...standing}>
@@ -136,16 +140,17 @@ function CoveredTool({ section, end, ...standing }: Standing & { readonly sectio
 }
 
 /** A tool, and what is drawn over it at its tip: the work never covers that. */
-function StandingTool({ section, end, children, ...standing }: Standing & {
+function StandingTool({ section, edge, children, ...standing }: Standing & {
   readonly section: SectionView;
-  /** Where the work ends at its free end, mm; asked for only where the work may cover the tool. */
-  readonly end: () => number;
+  /** The edge of the work as it is seen; asked for only where the work may cover the tool. */
+  readonly edge: () => Silhouette;
   readonly children?: React.ReactNode;
 }) {
-  const { tool } = standing, inward = useMemo(() => liesInward(tool), [tool]), covered = inward && section !== "full";
+  const { tool } = standing, inward = useMemo(() => liesInward(tool), [tool]);
+  const covered = section === "outside" || (inward && section === "half");
   return (
     <>
-      {covered && <CoveredTool {...standing} section={section} end={end} />}
+      {covered && <CoveredTool {...standing} section={section} edge={edge} />}
       {(!covered || children) && <Carrier {...standing}>{!covered && <Sheet {...standing} />} {children}</Carrier>}
       {!covered && <BreakLine {...standing} />}
     </>
@@ -159,10 +164,13 @@ export function RunningTool({ viewport, moving, section }: { readonly viewport: 
   const { steps, playback, stockAt } = moving;
   const index = usePlayback(playback, (store) => stepIndex(steps, store.shown()));
   const carrying = useMemo(() => runningTip(steps, playback), [steps, playback]);
-  const end = useCallback(() => frontOf(stockAt({ step: index, fraction: 0 })), [stockAt, index]);
+  const edge = useCallback(() => {
+    const step = steps[index], silhouette = silhouetteOf(stockAt({ step: index, fraction: NEARLY }));
+    return step && liesBehind(step.tool, [step.from, step.move.to], silhouette) ? silhouette : NO_EDGE;
+  }, [steps, stockAt, index]);
   const tool = steps[index]?.tool;
   return tool && (
-    <StandingTool viewport={viewport} tool={tool} carrying={carrying} section={section} end={end}>
+    <StandingTool viewport={viewport} tool={tool} carrying={carrying} section={section} edge={edge}>
       <ChipSheet viewport={viewport} moving={moving} />
     </StandingTool>
   );
@@ -172,6 +180,6 @@ export function RunningTool({ viewport, moving, section }: { readonly viewport: 
 export function WaitingTool({ viewport, tool, at, blank, section }: { readonly viewport: Viewport; readonly tool: Tool; readonly at: Pt;
   readonly blank: readonly Ring[]; readonly section: SectionView })
 {
-  const carrying = useMemo(() => restingTip(at), [at]), end = useCallback(() => frontOf(blank), [blank]);
-  return <StandingTool viewport={viewport} tool={tool} carrying={carrying} section={section} end={end} />;
+  const carrying = useMemo(() => restingTip(at), [at]), edge = useCallback(() => silhouetteOf(blank), [blank]);
+  return <StandingTool viewport={viewport} tool={tool} carrying={carrying} section={section} edge={edge} />;
 }

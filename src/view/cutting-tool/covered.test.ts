@@ -1,12 +1,26 @@
 import { expect, test } from "vitest";
-import { at } from "../../kernel/point.ts";
+import { at, type Pt } from "../../kernel/point.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
-import type { Camera } from "../camera.ts";
-import { clipOf, frontOf, liesInward, windowsOf } from "./covered.ts";
+import { toScreen, type Camera, type Place } from "../camera.ts";
+import { liesInward, windowsOf } from "./covered.ts";
+import { silhouetteOf } from "./silhouette.ts";
 
 const size = { width: 730, height: 411 }, camera: Camera = { scale: 3.7, zero: { x: 512.5, y: 203 }, xUp: true };
-const front = frontOf([[at(-63.7, 4.1), at(-1.3, 4.1), at(0.7, 6), at(0.7, 25.3), at(-63.7, 25.3)], [at(-90, 0), at(-71, 0), at(-71, 3)]]);
-const face = 512.5 + 0.7 * 3.7;
+/** A shaft of two diameters, with a bore. */
+const work = silhouetteOf([[at(-63.7, 4.1), at(0.7, 4.1), at(0.7, 25.3), at(-31.2, 25.3), at(-31.2, 38.5), at(-63.7, 38.5)]]);
+
+/** Whether a place is shown by a value of `clip-path`: on how many lines of its polygon it looks. */
+function shows(clip: string, { x, y }: Place): boolean {
+  const corners = clip.replace("polygon(evenodd, ", "").replaceAll(/px|[)]/g, "").split(", ").map((pair) => pair.split(" ").map(Number));
+  return corners.filter(([x0 = 0, y0 = 0], i) => {
+        const [x1 = 0, y1 = 0] = corners[(i + 1) % corners.length] ?? [];
+        return y0 > y !== y1 > y && x < x0 + ((x1 - x0) * (y - y0)) / (y1 - y0);
+      }).length % 2 === 1;
+}
+const seenOf = (section: "half" | "outside", p: Pt, look: Camera = camera) => {
+  const { seen, other } = windowsOf(section, look, size, work) ?? expect.fail("something is covered"), place = toScreen(look, p);
+  return [shows(seen, place), shows(other, place)];
+};
 
 test("boring bars and drills lie inward, what turns outside does not", () => {
   expect(shippedTools.filter(liesInward).map(({ NAME }) => NAME)).toMatchInlineSnapshot(`
@@ -19,31 +33,23 @@ test("boring bars and drills lie inward, what turns outside does not", () => {
   `);
 });
 
-test("the work ends at its free end; without work there is no end", () => {
-  expect(front).toBe(0.7);
-  expect(windowsOf("half", camera, size, frontOf([]))).toBeNull();
+test("from outside the work hides what is nearer to the axis than its edge, on both sides of it", () => {
+  expect(seenOf("outside", at(-47.3, 33))).toEqual([false, true]);
+  expect(seenOf("outside", at(-47.3, -33))).toEqual([false, true]);
+  expect(seenOf("outside", at(-12.4, 33))).toEqual([true, false]);
+  expect(seenOf("outside", at(-12.4, -21))).toEqual([false, true]);
+  expect(seenOf("outside", at(4.2, 1.5))).toEqual([true, false]);
 });
 
-test("half section: the tool's side is open, the other one shows what is out of the work", () => {
-  expect(windowsOf("half", camera, size, front)).toEqual({
-    seen: { top: 0, right: 0, bottom: 208, left: 0 },
-    other: { top: 203, right: 0, bottom: 0, left: face },
-    isHidden: false,
+test.each([["up", camera], ["down", { ...camera, xUp: false }]])("half section, X %s: open on the tool's side, covered beyond the axis",
+  (_, look) => {
+    expect(seenOf("half", at(-47.3, 33), look)).toEqual([true, false]);
+    expect(seenOf("half", at(-12.4, -21), look)).toEqual([false, false]);
+    expect(seenOf("half", at(-12.4, -33), look)).toEqual([false, true]);
+    expect(seenOf("half", at(4.2, -1.5), look)).toEqual([false, true]);
   });
-});
 
-test("with X down the section lies below", () => {
-  const { seen, other } = windowsOf("half", { ...camera, xUp: false }, size, front) ?? expect.fail("something is covered");
-  expect(seen).toEqual({ top: 203, right: 0, bottom: 0, left: 0 });
-  expect(other).toEqual({ top: 0, right: 0, bottom: 208, left: face });
-});
-
-test("from outside what is in the work is hidden on both sides; a full section hides nothing", () => {
-  const { seen, other, isHidden } = windowsOf("outside", camera, size, front) ?? expect.fail("something is covered");
-  expect([seen.left, 730 - other.right, isHidden]).toEqual([face, face, true]);
-  expect(windowsOf("full", camera, size, front)).toBeNull();
-});
-
-test("a window never reaches out of the picture", () => {
-  expect(clipOf({ top: -31, right: 0, bottom: 12.25, left: 800 })).toBe("inset(0px 0px 12.25px 800px)");
+test("a full section hides nothing, nor does a place without work", () => {
+  expect(windowsOf("full", camera, size, work)).toBeNull();
+  expect(windowsOf("half", camera, size, silhouetteOf([]))).toBeNull();
 });

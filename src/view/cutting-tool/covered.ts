@@ -1,50 +1,49 @@
-import type { Ring } from "../../kernel/point.ts";
 import type { Tool } from "../../kernel/tool.ts";
-import type { Camera, Size } from "../camera.ts";
+import { toScreen, type Camera, type Place, type Size } from "../camera.ts";
 import type { SectionKind } from "../material/easel.ts";
+import { at } from "../../kernel/point.ts";
 import { toolBox } from "./drawing.ts";
+import type { Silhouette } from "./silhouette.ts";
 
-/** A part of the picture, as what is left out of it on each side, pixels. */
-export interface PictureWindow {
-  readonly top: number;
-  readonly right: number;
-  readonly bottom: number;
-  readonly left: number;
-}
-
-/** Where a tool inside of the work is seen, and what becomes of the rest of it. */
+/** Where a tool that the work may cover is seen, and where the rest of it is, as values of CSS `clip-path`. */
 export interface Windows {
-  readonly seen: PictureWindow;
-  /** The second part; it is drawn as well, or `hidden`: only as edges behind the work. */
-  readonly other: PictureWindow;
-  readonly isHidden: boolean;
+  readonly seen: string;
+  /** The second part; from outside only the edges of it are drawn, behind the work. */
+  readonly other: string;
 }
 
-const ALL: PictureWindow = { top: 0, right: 0, bottom: 0, left: 0 };
-
-/** Whether a tool lies towards the axis from its tip, as boring bars and drills do: the work can stand between it and who looks. */
+/** Whether a tool lies towards the axis from its tip, as boring bars and drills do: it may reach over the axis. */
 export function liesInward(tool: Tool): boolean {
   const box = toolBox(tool);
   return box !== null && -box.low >= box.high;
 }
 
-/** Where the work ends at its free end, mm; without work, nowhere. */
-export const frontOf = (rings: readonly Ring[]): number =>
-  rings.reduce((most, ring) => ring.reduce((far, { z }) => Math.max(far, z), most), -Infinity);
+const boxOf = (
+  width: number,
+  top: number,
+  bottom: number,
+): Place[] => [{ x: 0, y: top }, { x: width, y: top }, { x: width, y: bottom }, { x: 0, y: bottom }];
 
-/**
- * The windows through which a tool that lies inward is seen. A half section is open on the tool's side of the axis; on the other side, and
- * in a view from outside on both, the work covers what is left of its free end, `front` mm. Null where all of the tool is seen.
- */
-export function windowsOf(section: SectionKind, { scale, zero, xUp }: Camera, { width, height }: Size, front: number): Windows | null {
-  if (section === "full" || front === -Infinity) return null;
-  const face = zero.x + front * scale;
-  if (section === "outside") return { seen: { ...ALL, left: face }, other: { ...ALL, right: width - face }, isHidden: true };
-  const [above, below] = [{ ...ALL, bottom: height - zero.y }, { ...ALL, top: zero.y }] as const;
-  const [open, closed] = xUp ? [above, below] : [below, above];
-  return { seen: open, other: { ...closed, left: face }, isHidden: false };
+/** What lies in an odd number of areas, each of them going back to its first place and that of the first area. */
+function inOne(areas: readonly (readonly Place[])[]): string {
+  const [first] = areas[0] ?? [], round = areas.flatMap((area) => [...area, ...area.slice(0, 1), ...(first ? [first] : [])]);
+  const n = (v: number) => Math.round(v * 10) / 10;
+  return `polygon(evenodd, ${round.map(({ x, y }) => `${n(x)}px ${n(y)}px`).join(", ")})`;
 }
 
-/** A window as the value of CSS `clip-path`; one that lies beside the picture shows nothing, or all. */
-export const clipOf = ({ top, right, bottom, left }: PictureWindow): string =>
-  `inset(${[top, right, bottom, left].map((side) => `${Math.max(0, side)}px`).join(" ")})`;
+/**
+ * The windows through which a tool is seen that the work may cover. A half section is open on the tool's side of the axis; on the other
+ * side, and in a view from outside on both, the work covers what lies nearer to the axis than its edge. Null where all of the tool is seen.
+ */
+export function windowsOf(section: SectionKind, camera: Camera, { width, height }: Size, silhouette: Silhouette): Windows | null {
+  if (section === "full" || silhouette.length === 0) return null;
+  const { zero, xUp } = camera, onTools = silhouette.map((p) => toScreen(camera, p));
+  const beyond = silhouette.map((p) => toScreen(camera, at(p.z, -p.r)));
+  if (section === "outside") {
+    const covered = [...onTools, ...beyond.toReversed()];
+    return { seen: inOne([boxOf(width, 0, height), covered]), other: inOne([covered]) };
+  }
+  const [above, below] = [boxOf(width, 0, zero.y), boxOf(width, zero.y, height)], [open, closed] = xUp ? [above, below] : [below, above];
+  const onAxis = [beyond.at(-1), beyond[0]].flatMap((place) => place ? [{ x: place.x, y: zero.y }] : []);
+  return { seen: inOne([open]), other: inOne([closed, [...beyond, ...onAxis]]) };
+}
