@@ -15,6 +15,9 @@ export interface TimedRun extends Pick<Run, "operations"> {
   readonly steps: readonly (TimedStep & { readonly seconds: number })[];
 }
 
+/** Moves of the playhead in a second. */
+const JERKS = 10;
+
 /** Time of the whole run: cutting and rapids, boundaries of moves, operations by name. Dragging it scrubs. */
 export function Timeline({ run, playback }: { readonly run: TimedRun; readonly playback: PlaybackStore }) {
   const t = useTexts().lathe, language = useSettings((s) => s.language);
@@ -29,7 +32,7 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
       const { track } = playback.get();
       return `translateX(${track.total > 0 ? (100 * secondsAt(track, position)) / track.total : 0}%)`;
     };
-    return head.current ? glide(head.current, playback, { at, bends: () => [] }).end : undefined;
+    return head.current ? glide(head.current, playback, { at, bends: () => [], jerks: JERKS }).end : undefined;
   }, [playback]);
   useEachReading(playback, useCallback(() => {
     const { track, position } = playback.get(), seconds = secondsAt(track, position);

@@ -9,6 +9,8 @@ export interface GlideWay {
   readonly at: (position: PlayPosition) => string | null;
   /** Where its way bends between two moments, machine seconds, told apart no finer than so many of them. Between bends it goes straight. */
   readonly bends: (track: PlayedTrack, between: readonly [number, number], fine: number) => readonly WayBend[];
+  /** Goes in jerks, so many a second: all that lies between two things that move is drawn anew with each, where no graphics card helps. */
+  readonly jerks?: number;
 }
 
 /** Something that goes along. */
@@ -68,7 +70,8 @@ export function glide(element: HTMLElement, playback: PlaybackStore, way: GlideW
     const { track, rate } = state, from = secondsAt(track, state.position), to = Math.min(track.total, from + (AHEAD * rate) / 1000);
     const frames = to > from ? keyframes(way, state, [from, to]) : [];
     if (frames.length === 0) return rest();
-    const animation = element.animate(frames, { duration: (1000 * (to - from)) / rate, fill: "both" });
+    const duration = (1000 * (to - from)) / rate, jerks = way.jerks && Math.ceil((way.jerks * duration) / 1000);
+    const animation = element.animate(frames, { duration, fill: "both", ...(jerks && { easing: `steps(${jerks})` }) });
     animation.startTime = since;
     told?.animation.cancel();
     told = { track, rate, from, since, animation };
