@@ -1,10 +1,14 @@
 /** Where a browser cannot tell when it rests, this is waited after the page was shown, ms. */
 const WAIT = 1200;
 
-/** Runs once the browser has nothing else to do. Gives the way to call it off. */
-export function atRest(run: () => void): () => void {
+/** Runs once the browser has nothing else to do, and will have nothing for at least so many ms. Gives the way to call it off. */
+export function atRest(run: () => void, least = 0): () => void {
   if (typeof requestIdleCallback === "function") {
-    const id = requestIdleCallback(run);
+    const look = (rest: IdleDeadline) => {
+      if (rest.timeRemaining() >= least) run();
+      else id = requestIdleCallback(look);
+    };
+    let id = requestIdleCallback(look);
     return () => cancelIdleCallback(id);
   }
   const timer = setTimeout(run, WAIT);

@@ -107,7 +107,7 @@ async function work(): Promise<void> {
       const outcome = isVeiled() ? (await untilHere(() => import("../course/task/veil.ts"))).veil(made) : made;
       await pauseInTyping();
       if (version > left) {
-        notePace(outcome.pace);
+        notePace(wanted.request, outcome.pace);
         takeOutcome(outcome);
       }
     } catch (error) {

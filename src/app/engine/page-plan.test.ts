@@ -3,7 +3,7 @@ import { fetchPlan, forgetPace, notePace, planNow, plansOnPage } from "./page-pl
 import type { Request } from "./request.ts";
 
 /** What the next run takes, ms, and whether it comes to nothing. */
-const run = vi.hoisted(() => ({ takes: 0, fails: false, now: 0 }));
+const run = vi.hoisted(() => ({ takes: 0, fails: false, now: 0, rehearsed: [] as string[] }));
 vi.mock("../clock.ts", () => ({ stopwatch: () => run.now }));
 vi.mock("../rest.ts", () => ({
   atRest: (begin: () => void) => {
@@ -12,6 +12,10 @@ vi.mock("../rest.ts", () => ({
   },
 }));
 vi.mock("./plan.ts", () => ({
+  planned: ({ text }: Request) => {
+    run.rehearsed.push(text);
+    run.now += run.takes;
+  },
   planner: () => ({ version, text }: Request) => {
     run.now += run.takes;
     if (run.fails) throw new Error("a fault of our own");
@@ -30,7 +34,7 @@ const requestOf = (text: string, beside = 0): Request => ({
 const plans = (text = "L X+3.5") => planNow(requestOf(text)) !== null;
 
 beforeEach(async () => {
-  Object.assign(run, { takes: 1.3, fails: false, now: 0 });
+  Object.assign(run, { takes: 1.3, fails: false, now: 0, rehearsed: [] });
   forgetPace();
   fetchPlan();
   await vi.waitFor(() => expect(plansOnPage(17)).toBe(true));
@@ -41,22 +45,22 @@ test("a short text is planned at once, a long one not before it is known to be q
   forgetPace();
   expect(plans("L".repeat(20_001))).toBe(false);
   expect(planNow(requestOf("L X+3.5", 20_000))).toBeNull();
-  notePace(19.6);
+  notePace(requestOf("L".repeat(20_001)), 39.6);
   expect(plans("L".repeat(20_001))).toBe(true);
 });
 
 test("what takes longer is left to the worker, until it takes less there", () => {
-  run.takes = 23.7;
+  run.takes = 43.7;
   expect([plans(), plans()]).toEqual([true, false]);
-  notePace(undefined);
+  notePace(requestOf("L X+3.5"), undefined);
   expect(plans()).toBe(false);
-  notePace(4.9);
+  notePace(requestOf("L X+3.5"), 4.9);
   expect(plans()).toBe(true);
 });
 
 test("a run that had to wait once is no slow run; three of them are", () => {
   expect(plans()).toBe(true);
-  run.takes = 41.2;
+  run.takes = 61.2;
   expect([plans(), plans(), plans(), plans()]).toEqual([true, true, true, false]);
 });
 
@@ -64,4 +68,21 @@ test("a plan that fails is left to the worker, which says so", () => {
   run.fails = true;
   expect(plans()).toBe(false);
   expect(plansOnPage(17)).toBe(true);
+});
+
+test("an opened work is planned by and by at rest, once: a first run that was slow does not keep its first key from the page", () => {
+  const text = "BLK\nTOOL CALL 7\nL X+3.5\nL Z-1.7\nM30\n";
+  notePace(requestOf(text), 211.4);
+  expect(run.rehearsed).toEqual([text.slice(0, 16), text.slice(0, 24), text.slice(0, 32), text]);
+  expect(plans(text)).toBe(true);
+  notePace(requestOf(text), 9.7);
+  expect(run.rehearsed).toHaveLength(4);
+});
+
+test("nothing is tried at rest that took long, or is long", () => {
+  notePace(requestOf("L X+3.5\n"), 601.3);
+  expect(plans()).toBe(false);
+  forgetPace();
+  notePace(requestOf("L X+3.5\n", 20_000), 311.7);
+  expect(run.rehearsed).toEqual([]);
 });

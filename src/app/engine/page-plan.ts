@@ -9,13 +9,15 @@ import type { Request } from "./request.ts";
  * What takes longer is left to the worker altogether.
  */
 
-/** What reading and running may take on the page, ms: most take a tenth of that, and on a weak tablet there is still time to draw. */
-const MAY_TAKE = 20;
+/** What reading and running may take on the page, ms: most take a tenth of that; the way through the worker takes several times as long. */
+const MAY_TAKE = 40;
 /** Texts up to this length are tried when nothing is known of the work yet, characters. */
 const SHORT = 20_000;
 
 /** What plans: fetched when nothing else is to be done, because until it is here the worker does it as well. */
 let plan: ((request: Request) => Planned) | null = null;
+/** The same without a memory: what it takes is what a program takes of which nothing is known. */
+let planAnew: ((request: Request) => Planned) | null = null;
 /** What the last runs of the open work took, on the page or in the worker, ms. The quickest counts: others had to wait for something. */
 let paces: readonly number[] = [];
 const LAST = 3;
@@ -24,17 +26,57 @@ const note = (took: number): void => {
 };
 
 /** From now on the page plans, as soon as it can. Gives the way to call it off. */
-export const fetchPlan = (): () => void => atRest(() => void untilHere(() => import("./plan.ts")).then((part) => (plan = part.planner())));
+export const fetchPlan = (): () => void =>
+  atRest(() =>
+    void untilHere(() => import("./plan.ts")).then((part) => {
+      plan = part.planner();
+      planAnew = part.planned;
+    })
+  );
+
+/** The parts of an opened work that are planned at rest, shares of its text, and what each, or the first run of all, may take, ms. */
+const REHEARSED = [0.25, 0.5, 0.75, 1, 1] as const, MAY_BE_TRIED = 600;
+/** A rest so long is no pause between two pictures, ms. */
+const LONG_REST = 25;
+let callOff: (() => void) | null = null;
 
 /** Another work has a pace of its own. */
 export const forgetPace = (): void => {
   paces = [];
+  callOff?.();
+  callOff = null;
 };
 
-/** What reading and running took in the worker, ms. */
-export const notePace = (took: number | undefined): void => {
-  if (took !== undefined) note(took);
-};
+/**
+ * Plans an opened work by and by while the browser rests, once for a work that took so many ms in the worker: browsers run slowly what they
+ * run for the first time, and the path of the first key is to come as soon as that of any other. The last time it is remembered.
+ */
+function rehearse(request: Request, took: number): void {
+  if (callOff || took > MAY_BE_TRIED || lengthOf(request) > SHORT) return;
+  let next = 0;
+  const again = () => {
+    const share = REHEARSED[next];
+    if (share === undefined) return;
+    next += 1;
+    const begun = stopwatch(), { text } = request;
+    try {
+      if (next < REHEARSED.length) planAnew?.({ ...request, text: text.slice(0, text.indexOf("\n", share * (text.length - 1)) + 1) });
+      else plan?.(request);
+    } catch {
+      return;
+    }
+    if (next === REHEARSED.length) paces = [];
+    if (stopwatch() - begun < MAY_BE_TRIED) callOff = atRest(again, LONG_REST);
+  };
+  callOff = atRest(again, LONG_REST);
+}
+
+/** What reading and running took in the worker, ms; absent where it was not told. */
+export function notePace(request: Request, took: number | undefined): void {
+  if (took === undefined) return;
+  note(took);
+  rehearse(request, took);
+}
 
 const lengthOf = ({ text, files = [] }: Request): number => files.reduce((sum, file) => sum + file.text.length, text.length);
 
