@@ -51,9 +51,9 @@ const FINE = 0.5, FAR = 30;
 
 /**
  * The middle of a text for a line between two places: that of the line, or the nearest to it where no other line goes through the text, or
- * beside the line, behind its arrows.
+ * beside the line, behind its arrows; on paper of a width.
  */
-function clearMiddle(a: number, b: number, wide: number, stops: readonly number[]): number {
+function clearMiddle([a, b]: readonly [number, number], wide: number, stops: readonly number[], width: number): number {
   const middle = (a + b) / 2, free = (b - a - wide) / 2, out = 2 * ARROW.long + wide / 2;
   const steps = Array.from({ length: FAR / FINE }, (_, i) => i * FINE);
   const along = steps.filter((by) => by <= free).flatMap((by) => [middle + by, middle - by]);
@@ -61,7 +61,9 @@ function clearMiddle(a: number, b: number, wide: number, stops: readonly number[
   const isClear = (x: number) => stops.every((stop) => Math.abs(stop - x) > wide / 2);
   // A text that is longer than its line stands beside it, over the end of the arrow.
   const places = wide > b - a - 2 * ARROW.long ? beside : [...along, ...beside];
-  return places.find(isClear) ?? places[0] ?? middle;
+  // The sheet ends where it ends, however short the line at its edge.
+  const onSheet = places.filter((x) => x - wide / 2 >= 0 && x + wide / 2 <= width);
+  return onSheet.find(isClear) ?? onSheet[0] ?? middle;
 }
 
 /** Lengths from the zero edge; the shortest stands nearest. */
@@ -72,7 +74,7 @@ export function drawnLengths(lengths: readonly PrintLength[], room: LengthRoom):
   return sorted.length <= MOST_LINES && !room.middles ? inParallel(sorted, room) : addingUp(sorted, room);
 }
 
-function inParallel(lengths: readonly PrintLength[], { zero, edge, side, clear }: LengthRoom): DrawnLengths {
+function inParallel(lengths: readonly PrintLength[], { zero, edge, side, width, clear }: LengthRoom): DrawnLengths {
   const shapes: PrintShape[] = [];
   const texts: PrintText[] = [];
   const down = side === "below" ? 1 : -1;
@@ -88,7 +90,7 @@ function inParallel(lengths: readonly PrintLength[], { zero, edge, side, clear }
       ...[y - LINE.plain / 2, y, y - tallOf(size)].flatMap((level) => through(clear, level)),
       ...lengths.slice(i + 1).map((other) => other.from.x),
     ];
-    const x = clearMiddle(a.x, b.x, wide, stops);
+    const x = clearMiddle([a.x, b.x], wide, stops, width);
     const ends = [x - wide / 2, x + wide / 2] as const;
     if (ends[1] > b.x) shapes.push({ role: "thin", d: lineThrough([b, { x: ends[1], y }]) });
     else if (ends[0] < a.x) shapes.push({ role: "thin", d: lineThrough([a, { x: ends[0], y }]) });
