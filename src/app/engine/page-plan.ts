@@ -31,6 +31,7 @@ export const fetchPlan = (): () => void =>
     void untilHere(() => import("./plan.ts")).then((part) => {
       plan = part.planner();
       planAnew = part.planned;
+      if (opened) rehearse(opened);
     })
   );
 
@@ -39,20 +40,23 @@ const REHEARSED = [0.25, 0.5, 0.75, 1, 1] as const, MAY_BE_TRIED = 600;
 /** A rest so long is no pause between two pictures, ms. */
 const LONG_REST = 25;
 let callOff: (() => void) | null = null;
+/** The work that is to be planned at rest. */
+let opened: Request | null = null;
 
 /** Another work has a pace of its own. */
 export const forgetPace = (): void => {
   paces = [];
   callOff?.();
-  callOff = null;
+  callOff = opened = null;
 };
 
 /**
- * Plans an opened work by and by while the browser rests, once for a work that took so many ms in the worker: browsers run slowly what they
- * run for the first time, and the path of the first key is to come as soon as that of any other. The last time it is remembered.
+ * Plans an opened work by and by while the browser rests, once for a work: browsers run slowly what they run
+ * for the first time, and the path of the first key is to come as soon as that of any other. The last time it is remembered.
  */
-function rehearse(request: Request, took: number): void {
-  if (callOff || took > MAY_BE_TRIED || lengthOf(request) > SHORT) return;
+function rehearse(request: Request): void {
+  opened = request;
+  if (callOff || !planAnew) return;
   let next = 0;
   const again = () => {
     const share = REHEARSED[next];
@@ -60,8 +64,9 @@ function rehearse(request: Request, took: number): void {
     next += 1;
     const begun = stopwatch(), { text } = request;
     try {
-      if (next < REHEARSED.length) planAnew?.({ ...request, text: text.slice(0, text.indexOf("\n", share * (text.length - 1)) + 1) });
-      else plan?.(request);
+      const end = text.indexOf("\n", share * (text.length - 1));
+      if (next === REHEARSED.length) plan?.(request);
+      else planAnew?.(end < 0 ? request : { ...request, text: text.slice(0, end + 1) });
     } catch {
       return;
     }
@@ -75,7 +80,7 @@ function rehearse(request: Request, took: number): void {
 export function notePace(request: Request, took: number | undefined): void {
   if (took === undefined) return;
   note(took);
-  rehearse(request, took);
+  if (took <= MAY_BE_TRIED && lengthOf(request) <= SHORT) rehearse(request);
 }
 
 const lengthOf = ({ text, files = [] }: Request): number => files.reduce((sum, file) => sum + file.text.length, text.length);

@@ -1,11 +1,10 @@
-import { spindleAt } from "../../sim/load/spindles.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { playerOf, sameBlank } from "../../sim/stock.ts";
 import type { Patch } from "../../view/material/pen.ts";
 import { paintShop, stockPainter, type PaintedRun, type StockLook } from "../../view/material/stock-painter.ts";
-import { surfacesOf } from "../../view/material/surfaces.ts";
 import { positionAt, trackOf, type PlayedTrack } from "../../view/playback.ts";
 import { dayMoment, stopwatch } from "../clock.ts";
+import { surfacesOfRun } from "../lathe/moving.ts";
 import type { Outcome } from "./outcome.ts";
 
 /** How a run is played: so many machine seconds were over at a moment of the day, ms since 1970, and so many pass in a second. */
@@ -30,12 +29,12 @@ const playables = new WeakMap<Outcome, Playable>();
 function playableOf(outcome: Outcome): Playable {
   const known = playables.get(outcome);
   if (known) return known;
-  const { run: { steps, spindles }, simulation } = outcome;
+  const { run: { steps }, simulation } = outcome;
   const run: PaintedRun = {
     steps,
     stockAt: playerOf(simulation).at,
     isSameBlank: sameBlank(simulation),
-    surfaces: surfacesOf(steps, (step) => spindleAt(spindles, step)),
+    surfaces: surfacesOfRun(outcome.run),
   };
   const made = { run, track: trackOf(steps) };
   playables.set(outcome, made);

@@ -73,9 +73,9 @@ const served = {
   },
   /** Paints the newest outcome as it stands; null when it is not the one that is asked for. */
   async stockPictures(of: KnownOutcome, look: StockLook, position: PlayPosition): Promise<StockPictures | null> {
-    const outcome = newest, { stockPictures } = await fetchPlayed();
+    const outcome = newest;
     if (!outcome || !knownRequest(of)) return null;
-    const made = stockPictures(outcome, look, position);
+    const made = (await fetchPlayed()).stockPictures(outcome, look, position);
     return transfer(made, [made.work, made.shop]);
   },
   stopPlaying: async () => (await fetchPlayed()).stopPlaying(),

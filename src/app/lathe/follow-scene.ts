@@ -86,10 +86,14 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
   /** The camera for which the worker is painting. */
   let awaited: Camera | null = null;
   const look = (): StockLook => ({ section, chuck, camera, colours, ratio, origin: work, room });
+  /** What is to be painted where the picture is to be drawn for. */
+  const nextLook = (): StockLook => {
+    const next = { ...look(), camera: viewport.drawn(), room: drawnRoom(viewport.size()), ratio: devicePixelRatio };
+    return { ...next, origin: (box && patchWithin(turnedPatchOf(box, next.camera, widest, next.ratio), next.room)) ?? NOWHERE };
+  };
   /** Looks where the picture is to be drawn for; what is painted from now on is painted for that. */
   const turn = () => {
-    [camera, room, ratio] = [viewport.drawn(), drawnRoom(viewport.size()), devicePixelRatio];
-    work = (box && patchWithin(turnedPatchOf(box, camera, widest, ratio), room)) ?? NOWHERE;
+    ({ camera, room, ratio, origin: work } = nextLook());
   };
   const shift = () => {
     shiftSheet(under, viewport, room, camera);
@@ -153,11 +157,10 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
   };
   /** Has the work painted for where the picture looks now; what is painted for before is shifted there until then. */
   const lookAnew = async (of: KnownOutcome, position: PlayPosition) => {
-    const next = viewport.drawn(), place = drawnRoom(viewport.size());
-    awaited = next;
-    const origin = (box && patchWithin(turnedPatchOf(box, next, widest, devicePixelRatio), place)) ?? NOWHERE;
-    const made = await stockPictures(of, { ...look(), camera: next, room: place, ratio: devicePixelRatio, origin }, position);
-    if (awaited !== next) return;
+    const next = nextLook();
+    awaited = next.camera;
+    const made = await stockPictures(of, next, position);
+    if (awaited !== next.camera) return;
     if (made) take(made, position);
     else paintAll();
     shift();

@@ -5,22 +5,16 @@ import type { Chip } from "../../sim/chip/chip.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Run } from "../../program/run-types.ts";
 import { spindleAt } from "../../sim/load/spindles.ts";
+import type { PaintedRun } from "../../view/material/stock-painter.ts";
 import { surfacesOf, type Surfaces } from "../../view/material/surfaces.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
 /** What moves in the picture: a run on a playback, and the stock at any position of it. */
-export interface Moving {
-  readonly steps: readonly Step[];
-  /** The same rings as long as nothing is cut. */
-  readonly stockAt: (position: PlayPosition) => readonly Ring[];
+export interface Moving extends PaintedRun {
   /** All that stands there at some moment before it is cut: nothing ever stands beyond it. */
   readonly blanks: readonly Ring[];
-  /** False when the program states another blank between two positions. */
-  readonly isSameBlank: (one: PlayPosition, other: PlayPosition) => boolean;
   /** What the running cut takes off; null where it takes nothing, and as long as the run is only planned. */
   readonly chipAt: (position: PlayPosition) => Chip | null;
-  /** What made the surfaces of the stock. */
-  readonly surfaces: Surfaces;
   readonly playback: PlaybackStore;
 }
 
