@@ -53,11 +53,11 @@ export function CameraAxes({ camera, size: { width, height }, part, unit = 1 }: 
       <path className="lathe-scale-edge" d={`M${right} 0V${floor}H${width}`} />
       <path className="lathe-tick"
         d={shownZ.map(({ x }) => `M${x} ${floor}v4`).join("") + shownX.map(({ y }) => `M${right} ${y}h-4`).join("")} />
-      {shownZ.map(({ z, x }) => (
-        <text key={z} x={x} y={height - 6 * unit} textAnchor="middle">{formatNumber(language, z, alongZ.decimals)}</text>
+      {shownZ.map(({ z, x }, i) => (
+        <text key={i} x={x} y={height - 6 * unit} textAnchor="middle">{formatNumber(language, z, alongZ.decimals)}</text>
       ))}
-      {shownX.map(({ x, y }) => (
-        <text key={x} x={right - 7 * unit} y={y + 4 * unit} textAnchor="end">{formatNumber(language, x, alongX.decimals)}</text>
+      {shownX.map(({ x, y }, i) => (
+        <text key={i} x={right - 7 * unit} y={y + 4 * unit} textAnchor="end">{formatNumber(language, x, alongX.decimals)}</text>
       ))}
       <text className="lathe-scale-name" x={right - 7 * unit} y={16 * unit} textAnchor="end">{t.axisX}</text>
       <text className="lathe-scale-name" x={width - 8 * unit} y={height - 6 * unit} textAnchor="end">{t.axisZ}</text>
