@@ -11,7 +11,7 @@ import { nearby } from "../../view/approach/forms.ts";
 import { px } from "../../view/help/marks.ts";
 import { HelpMarks } from "../help/HelpMarks.tsx";
 import { useSize } from "../help/use-size.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { approachSpeech } from "./speech.ts";
 import { gridOf, useDrag } from "./use-drag.ts";
@@ -37,7 +37,7 @@ export function ApproachPicture({ name, form, ready, context, active, onDrag }: 
   readonly active: ApproachWord | null;
   readonly onDrag: (change: Dragged) => void;
 }) {
-  const t = useTexts().approach, language = useSettings((s) => s.language), id = useId();
+  const t = useTexts().approach, lengths = useLengths(), id = useId();
   const box = useRef<HTMLDivElement>(null);
   const size = useSize(box, { width: 400, height: 280 });
   const [last, keep] = useState(ready);
@@ -50,7 +50,7 @@ export function ApproachPicture({ name, form, ready, context, active, onDrag }: 
     const path = compensate(contour, request.side, request.toolRadius).pieces.map((p) => p.segment);
     return { result: approach(request), contour, centre: path };
   }, [shown]);
-  const speech = useMemo(() => approachSpeech(language, context.plane, context.tip), [language, context.plane, context.tip]);
+  const speech = useMemo(() => approachSpeech(lengths, context.plane, context.tip), [lengths, context.plane, context.tip]);
 
   const offset = (): PlanePoint => {
     if (!shown) return { x: 0, y: 0 };

@@ -1,15 +1,14 @@
 import { useCallback, useMemo, useRef } from "react";
-import { formatSigned } from "../../i18n/number.ts";
 import type { PlaneStep } from "../../program/plane-types.ts";
 import { depthStrip, stripAt } from "../../view/approach/depth.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { useEachPicture } from "../lathe/use-playback.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
 /** The height of the tool over its path, with the running moment. */
 export function DepthPicture({ steps, playback }: { readonly steps: readonly PlaneStep[]; readonly playback: PlaybackStore }) {
-  const t = useTexts().approach, language = useSettings((s) => s.language);
+  const t = useTexts().approach, lengths = useLengths();
   const strip = useMemo(() => depthStrip(steps), [steps]);
   const head = useRef<HTMLDivElement>(null);
   useEachPicture(playback, useCallback(() => {
@@ -18,7 +17,7 @@ export function DepthPicture({ steps, playback }: { readonly steps: readonly Pla
     head.current.style.transform = `translateX(${stripAt(strip, step, fraction) * 100}%)`;
   }, [strip, playback]));
   if (!strip) return null;
-  const [high, low] = [formatSigned(language, strip.high), formatSigned(language, strip.low)];
+  const [high, low] = [lengths.signed(strip.high), lengths.signed(strip.low)];
   return (
     <div className="plane-depth" role="img" aria-label={t.depthStrip(low, high)}>
       <span className="plane-depth-name small soft">Z</span>

@@ -7,7 +7,7 @@ import { nearby, type SuggestedForm } from "../../view/approach/forms.ts";
 import type { PlaneSegment } from "../../kernel/plane.ts";
 import { px } from "../../view/help/marks.ts";
 import { HelpMarks } from "../help/HelpMarks.tsx";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { approachSpeech } from "./speech.ts";
 
@@ -20,7 +20,7 @@ const NEAR = 40;
 export function FormCard({ suggested, contour, plane, chosen, onTake }: { readonly suggested: SuggestedForm;
   readonly contour: readonly PlaneSegment[]; readonly plane: WorkingPlane; readonly chosen: boolean; readonly onTake: () => void })
 {
-  const t = useTexts().approach, language = useSettings((s) => s.language);
+  const t = useTexts().approach, lengths = useLengths();
   const { shape, departing, request, result } = suggested;
   const drawing = useMemo(() => {
     const near = nearby(contour, departing, Math.max(100, request.toolRadius * NEAR));
@@ -34,9 +34,9 @@ export function FormCard({ suggested, contour, plane, chosen, onTake }: { readon
       active: null,
       size: SIZE,
       small: true,
-      speech: approachSpeech(language, plane, NO_TIP),
+      speech: approachSpeech(lengths, plane, NO_TIP),
     });
-  }, [contour, departing, request, result, language, plane]);
+  }, [contour, departing, request, result, lengths, plane]);
   const name = `${departing ? "DEP" : "APPR"} ${shape}`;
   const words = t.shapes[shape];
   return (

@@ -1,14 +1,14 @@
-import { formatNumber, formatSigned } from "../../i18n/number.ts";
-import { useSettings } from "../settings/settings.ts";
+import { formatNumber } from "../../i18n/number.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { MOST_MILLED, type GrowingStock, type NoStock } from "./milled.ts";
 import { toneName } from "./MilledSheet.tsx";
 
 /** Which tone is how deep, in a corner of the picture; without stock why there is none. */
 export function MilledLegend({ milled }: { readonly milled: GrowingStock | NoStock }) {
-  const t = useTexts().approach.milled, language = useSettings((s) => s.language);
+  const t = useTexts().approach.milled, lengths = useLengths();
   if (milled === "noBlank") return <p className="milled-legend small soft">{t.noBlank}</p>;
-  if (milled === "tooLong") return <p className="milled-legend small soft">{t.tooLong(formatNumber(language, MOST_MILLED))}</p>;
+  if (milled === "tooLong") return <p className="milled-legend small soft">{t.tooLong(formatNumber(lengths.language, MOST_MILLED))}</p>;
   const { depths, heights, limits, hasLower } = milled.stock, lowest = heights.at(-1);
   if (depths.length === 0 || lowest === undefined) return null;
   const row = (tone: number, text: string, isMilled: boolean) => (
@@ -22,9 +22,9 @@ export function MilledLegend({ milled }: { readonly milled: GrowingStock | NoSto
     <ul className="milled-legend small" aria-label={t.title}>
       {heights.map((z, i) => {
         const isMilled = depths.includes(z);
-        return row(i, t[isMilled ? "depth" : "shoulder"](formatSigned(language, z)), isMilled);
+        return row(i, t[isMilled ? "depth" : "shoulder"](lengths.signed(z)), isMilled);
       })}
-      {hasLower && row(heights.length, t.lower(formatSigned(language, lowest)), false)}
+      {hasLower && row(heights.length, t.lower(lengths.signed(lowest)), false)}
     </ul>
   );
 }

@@ -5,7 +5,7 @@ import { ticks } from "../../view/ticks.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 
 /** Least distance of two marks, pixels. */
 const APART = { x: 72, y: 44 };
@@ -13,11 +13,12 @@ const APART = { x: 72, y: 44 };
 /** Grid and scales of the working plane: X along the lower edge, Y along the left one, both axes as chain lines. */
 export function PlaneAxes({ viewport, part }: { readonly viewport: Viewport; readonly part: "grid" | "scales" }) {
   const camera = useCamera(viewport), { width, height } = viewport.size();
-  const language = useSettings((s) => s.language);
+  const { language, per, unit } = useLengths();
   const corner = planePoint(toPlace(camera, { x: 0, y: 0 })), far = planePoint(toPlace(camera, { x: width, y: height }));
-  const alongX = ticks(corner.x, far.x, APART.x / camera.scale), alongY = ticks(corner.y, far.y, APART.y / camera.scale);
-  const placeX = (x: number) => toScreen(camera, partPoint({ x, y: 0 })).x;
-  const placeY = (y: number) => toScreen(camera, partPoint({ x: 0, y })).y;
+  const alongX = ticks(corner.x / per, far.x / per, APART.x / camera.scale / per),
+    alongY = ticks(corner.y / per, far.y / per, APART.y / camera.scale / per);
+  const placeX = (x: number) => toScreen(camera, partPoint({ x: x * per, y: 0 })).x;
+  const placeY = (y: number) => toScreen(camera, partPoint({ x: 0, y: y * per })).y;
   const floor = height - SCALE_BELOW;
   if (part === "grid") {
     const lines = alongX.values.map((x) => `M${placeX(x)} 0V${height}`).join("")
@@ -42,7 +43,7 @@ export function PlaneAxes({ viewport, part }: { readonly viewport: Viewport; rea
         <text key={v} x={SCALE_LEFT - 7} y={y + 4} textAnchor="end">{formatNumber(language, v, alongY.decimals)}</text>
       ))}
       <text className="lathe-scale-name" x={SCALE_LEFT - 7} y={16} textAnchor="end">Y</text>
-      <text className="lathe-scale-name" x={width - 8} y={height - 6} textAnchor="end">X</text>
+      <text className="lathe-scale-name" x={width - 8} y={height - 6} textAnchor="end">{unit === "mm" ? "X" : `X ${unit}`}</text>
     </g>
   );
 }

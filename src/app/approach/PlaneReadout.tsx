@@ -1,7 +1,6 @@
 import { useCallback } from "react";
 import type { Texts } from "../../i18n/index.ts";
-import { formatNumber, formatPosition } from "../../i18n/number.ts";
-import type { Language } from "../../i18n/languages.ts";
+import type { Lengths } from "../../i18n/lengths.ts";
 import type { ApproachRun, PlaneStep } from "../../program/plane-types.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { spotAt } from "../../view/approach/plane-scene.ts";
@@ -9,7 +8,7 @@ import { isRapid } from "../../kernel/mill-motion.ts";
 import type { Clock } from "../clock.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { useSaid, useSpoken } from "../lathe/use-said.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
 /** What is said about a moment of a milling program. */
@@ -25,7 +24,7 @@ interface Moment {
 /** Position, feed, and what the motion is for; null in an empty run. */
 export function momentText(
   t: Texts,
-  language: Language,
+  lengths: Lengths,
   steps: readonly PlaneStep[],
   approaches: readonly ApproachRun[],
   position: PlayPosition,
@@ -36,10 +35,10 @@ export function momentText(
   const what = lead ? `${lead.departing ? "DEP" : "APPR"} ${lead.form}` : isRapid(motion) ? t.lathe.rapid : t.approach.feedMove;
   const unit = motion.feedUnit === "mm/rev" ? t.lathe.perTurn : t.lathe.perMinute;
   return {
-    x: formatPosition(language, at.x),
-    y: formatPosition(language, at.y),
-    z: at.z === null ? "–" : formatPosition(language, at.z),
-    feed: motion.feed === undefined ? t.lathe.rapid : `${formatNumber(language, motion.feed)} ${unit}`,
+    x: lengths.position(at.x),
+    y: lengths.position(at.y),
+    z: at.z === null ? "–" : lengths.position(at.z),
+    feed: motion.feed === undefined ? t.lathe.rapid : `${lengths.number(motion.feed)} ${lengths.words(unit)}`,
     step: what,
     block: t.lathe.block(String(motion.block)),
   };
@@ -51,14 +50,8 @@ const textOfCell = (now: Moment | null, says: string): string | null => now?.[sa
 export function PlaneReadout({ steps, approaches, playback }: { readonly steps: readonly PlaneStep[];
   readonly approaches: readonly ApproachRun[]; readonly playback: PlaybackStore })
 {
-  const t = useTexts(), language = useSettings((s) => s.language);
-  const moment = useCallback(() => momentText(t, language, steps, approaches, playback.shown()), [
-    t,
-    language,
-    steps,
-    approaches,
-    playback,
-  ]);
+  const t = useTexts(), lengths = useLengths();
+  const moment = useCallback(() => momentText(t, lengths, steps, approaches, playback.shown()), [t, lengths, steps, approaches, playback]);
   const group = useSaid(playback, moment, textOfCell);
   const cells = [["x", "X"], ["y", "Y"], ["z", "Z"], ["feed", t.lathe.feedName]] as const;
   return (
@@ -89,10 +82,10 @@ export const momentSentence = (...given: Parameters<typeof momentText>): string 
 export function SpokenMoment({ steps, approaches, playback, clock }: { readonly steps: readonly PlaneStep[];
   readonly approaches: readonly ApproachRun[]; readonly playback: PlaybackStore; readonly clock: Clock })
 {
-  const t = useTexts(), language = useSettings((s) => s.language);
-  const sentence = useCallback(() => momentSentence(t, language, steps, approaches, playback.shown()), [
+  const t = useTexts(), lengths = useLengths();
+  const sentence = useCallback(() => momentSentence(t, lengths, steps, approaches, playback.shown()), [
     t,
-    language,
+    lengths,
     steps,
     approaches,
     playback,

@@ -22,6 +22,7 @@ import { ZOOM } from "../lathe/ViewBar.tsx";
 import { Measurements } from "../measure/Measurements.tsx";
 import { useMeasuring } from "../measure/measuring.ts";
 import { reducedMotion } from "../settings/appearance.ts";
+import { useLengths } from "../lengths.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { DepthPicture } from "./DepthPicture.tsx";
@@ -61,10 +62,10 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
   readonly onMove?: MovePointed | undefined;
 }) {
   const texts = useTexts(), t = texts.lathe, own = texts.approach, id = useId();
-  const { language, motion } = useSettings();
+  const { motion } = useSettings();
   const [viewport] = useState(() => createViewport(true));
   const [tools, showTools] = useState(false);
-  const { run } = result, { plane: steps } = run;
+  const { run } = result, { plane: steps } = run, lengths = useLengths(run);
   const { milled, rapids } = useMilledStock(result);
   const approaches = useMemo(() => run.approaches.filter((a) => a.plane === "XY"), [run]);
   const scene = useMemo(() => planeScene(steps, approaches.map((a) => a.contour), new Set(approaches.map((a) => a.index))), [
@@ -75,7 +76,7 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
     operations: run.operations,
     steps: steps.map((s) => ({ move: { kind: s.feed === undefined ? "rapid" : "feed" }, operation: null, seconds: s.seconds })),
   }), [run, steps]);
-  const speech = useMemo(() => approachSpeech(language, "XY", NO_TIP), [language]);
+  const speech = useMemo(() => approachSpeech(lengths, "XY", NO_TIP), [lengths]);
   const { hover, over, tap } = usePlanePicking({ run, leads: approaches, viewport, onMove });
   const measuring = useMeasuring();
   const source = usePlaneSource(run, typeof milled === "string" ? null : milled.stock, playback);
@@ -102,10 +103,10 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
     return true;
   };
 
-  const name = useMemo(() => own.viewPicture(resting >= 0 ? momentSentence(texts, language, steps, approaches, playback.shown()) : ""), [
+  const name = useMemo(() => own.viewPicture(resting >= 0 ? momentSentence(texts, lengths, steps, approaches, playback.shown()) : ""), [
     own,
     texts,
-    language,
+    lengths,
     steps,
     approaches,
     playback,

@@ -6,7 +6,7 @@ import { px } from "../../view/help/marks.ts";
 import { HelpMarks } from "../help/HelpMarks.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { approachSpeech } from "./speech.ts";
 import "../help/help.css";
 import "./approach.css";
@@ -16,13 +16,13 @@ const NO_TIP = { x: 0, y: 0 };
 
 /** PS, PH, PA, PE and PN of the approaches of a turning tool, in the picture of the lathe; gone while they would lie on each other. */
 export function TurnPoints({ viewport, approaches }: { readonly viewport: Viewport; readonly approaches: readonly ApproachRun[] }) {
-  const id = useId(), language = useSettings((s) => s.language);
+  const id = useId(), lengths = useLengths();
   const camera = useCamera(viewport), size = viewport.size();
-  const names = useMemo(() => planeNames(withRoom(approaches, camera), camera, size, approachSpeech(language, "ZX", NO_TIP)), [
+  const names = useMemo(() => planeNames(withRoom(approaches, camera), camera, size, approachSpeech(lengths, "ZX", NO_TIP)), [
     approaches,
     camera,
     size,
-    language,
+    lengths,
   ]);
   return (
     <g className="plane-points" aria-hidden="true">

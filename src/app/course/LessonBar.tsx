@@ -1,12 +1,12 @@
 import { useCallback, useMemo, useRef } from "react";
 import { blocksOfLines } from "../../course/start-of.ts";
 import { clockText } from "../lathe/clock-text.ts";
+import { useLengths } from "../lengths.ts";
 import { GlyphButton } from "../lathe/GlyphButton.tsx";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { runningText } from "../lathe/running.ts";
 import { useEachReading, usePlayback } from "../lathe/use-playback.ts";
 import type { Run } from "../../program/run-types.ts";
-import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 import type { PlayedStretch } from "./use-stretch.ts";
@@ -24,7 +24,7 @@ export function LessonBar({ playback, stretch, run, lines }: {
 }) {
   const t = useCourseTexts().picture;
   const texts = useTexts();
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths(run), { language } = lengths;
   const playing = usePlayback(playback, (s) => s.get().playing);
   const spoken = usePlayback(playback,
     (s) => s.get().playing ? "" : texts.lathe.timeOf(clockText(language, stretch.now()), clockText(language, stretch.length)));
@@ -37,14 +37,14 @@ export function LessonBar({ playback, stretch, run, lines }: {
     if (input.current) input.current.value = String(length > 0 ? (PARTS * now()) / length : 0);
     const position = playback.shown();
     const isCalled = (run.steps[position.step]?.operation ?? null) !== null;
-    const running = isCalled ? runningText(texts, language, run, position) : null;
+    const running = isCalled ? runningText(texts, lengths, run, position) : null;
     const text = running ? [running.pass, running.step].filter((each) => each !== "").join(" · ") : "";
     if (said.current && said.current.textContent !== text) said.current.textContent = text;
     const step = run.steps[Math.min(position.step, run.steps.length - 1)];
     const line = (step && blocks[step.block]?.split("\n")[0]) ?? "";
     if (block.current && block.current.textContent !== line) block.current.textContent = line;
     // eslint-disable-next-line react-hooks/exhaustive-deps -- `now` is made anew with each render and reads the same playback
-  }, [playback, length, texts, language, run, blocks]));
+  }, [playback, length, texts, lengths, run, blocks]));
   return (
     <div className="lesson-bar">
       <div className="lesson-play">

@@ -3,6 +3,7 @@ import { operationsPlayed, type Played } from "../../course/played.ts";
 import { formatFixed, formatNumber } from "../../i18n/number.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import { effectOf } from "../effect/effect.ts";
+import { useLengths } from "../lengths.ts";
 import { LoadScale } from "../load/LoadScale.tsx";
 import { useLoadDrawing } from "../load/use-drawing.ts";
 import { loadPlaceText, loadValue, useGreatest, useLoadTexts, useMeasuredRun, type Told } from "../load/use-load.ts";
@@ -12,7 +13,7 @@ import { useTexts } from "../settings/use-texts.ts";
 /** What colours tell: their scale, and the greatest value with its place. */
 function ToldByColour({ of, run }: { readonly of: Told; readonly run: Outcome["run"] }) {
   const t = useLoadTexts();
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths(run);
   const told = useMeasuredRun(run);
   const drawing = useLoadDrawing(told, of);
   const worst = useGreatest(told, of)?.worst ?? null;
@@ -28,7 +29,7 @@ function ToldByColour({ of, run }: { readonly of: Told; readonly run: Outcome["r
             <>
               <span className="soft">{worst.limited && of === "speed" ? t.least : t.greatest}</span>{" "}
               <span className="number">
-                <b>{loadValue(t, language, of, worst.value)}</b> {loadPlaceText(t, language, worst)}
+                <b>{loadValue(t, lengths, of, worst.value)}</b> {loadPlaceText(t, lengths, worst)}
               </span>
             </>
           )

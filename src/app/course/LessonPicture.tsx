@@ -24,6 +24,7 @@ import { LoadMark } from "../load/LoadMark.tsx";
 import type { Told } from "../load/use-load.ts";
 import { lazyPart } from "../parts.ts";
 import { reducedMotion } from "../settings/appearance.ts";
+import { CountedIn, useLengths } from "../lengths.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { LessonBar } from "./LessonBar.tsx";
@@ -100,9 +101,10 @@ export function LessonPicture({ outcome, page, playback, waits, failed, slid }: 
 }) {
   const t = useCourseTexts();
   const texts = useTexts();
-  const { language, section, xDown, motion } = useSettings();
+  const { section, xDown, motion } = useSettings();
   const [viewport] = useState(() => createViewport(!xDown));
   const { run, simulation } = outcome;
+  const lengths = useLengths(run);
   const dimmed = waits && !slid;
   const isLong = useLong(waits, SOON);
   const played = useMemo(() => stepsPlayed(run.steps, page.blocks), [run, page.blocks]);
@@ -123,7 +125,7 @@ export function LessonPicture({ outcome, page, playback, waits, failed, slid }: 
 
   const ended = usePlayback(playback, (s) => s.get().position.step > played.last);
   const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
-  const state = useMemo(() => (resting >= 0 ? statusText(texts, language, run, playback) : ""), [resting, texts, language, run, playback]);
+  const state = useMemo(() => (resting >= 0 ? statusText(texts, lengths, run, playback) : ""), [resting, texts, lengths, run, playback]);
   const datum = datumAt(run.datums, usePlayback(playback, (s) => datumIndex(run.datums, s.get().position.step)));
   const places = useLessonPlaces(outcome);
   const [look, setLook] = useState({ page: "", id: "" });
@@ -142,36 +144,38 @@ export function LessonPicture({ outcome, page, playback, waits, failed, slid }: 
   const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
   const drawn = section === "full" ? "full" : "half";
   return (
-    <section className="lesson-picture" aria-label={t.picture.name}>
-      <div className="lesson-lathe">
-        <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${ended ? " ended" : ""}`}>
-          <Picture viewport={viewport} scene={scene} moving={moving} waiting={null}
-            gouges={simulation.findings.flatMap(({ rings }) => rings)}
-            residual={ended ? simulation.proof.residual.map(({ ring }) => ring) : NOTHING} section={drawn}
-            name={texts.lathe.pictures[drawn](state)} path={passes.stretches} ghosts={null} chosen={told && (
-            <Suspense>
-              <LoadLines of={told} run={run} shown={EVERY} />
-            </Suspense>
-          )} hovered={null}>
-            <Marks viewport={viewport} starts={starts} datum={datum} />
-            {told && (
+    <CountedIn value={run.program.unit}>
+      <section className="lesson-picture" aria-label={t.picture.name}>
+        <div className="lesson-lathe">
+          <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${ended ? " ended" : ""}`}>
+            <Picture viewport={viewport} scene={scene} moving={moving} waiting={null}
+              gouges={simulation.findings.flatMap(({ rings }) => rings)}
+              residual={ended ? simulation.proof.residual.map(({ ring }) => ring) : NOTHING} section={drawn}
+              name={texts.lathe.pictures[drawn](state)} path={passes.stretches} ghosts={null} chosen={told && (
               <Suspense>
-                <LoadMark of={told} run={run} seeing={seenFlat(viewport)} />
+                <LoadLines of={told} run={run} shown={EVERY} />
               </Suspense>
-            )}
-            {leads.length > 0 && (
-              <Suspense>
-                <TurnPoints viewport={viewport} approaches={leads} />
-              </Suspense>
-            )}
-            <PlaceLines seeing={seenFlat(viewport)} places={seen} />
-          </Picture>
-          <PlaceButtons seeing={seenFlat(viewport)} places={seen} chosen={chosen} choose={choose} />
-          <p className="lesson-checking small" role="status">{failed ? t.picture.failed : isLong && texts.lathe.checking}</p>
+            )} hovered={null}>
+              <Marks viewport={viewport} starts={starts} datum={datum} />
+              {told && (
+                <Suspense>
+                  <LoadMark of={told} run={run} seeing={seenFlat(viewport)} />
+                </Suspense>
+              )}
+              {leads.length > 0 && (
+                <Suspense>
+                  <TurnPoints viewport={viewport} approaches={leads} />
+                </Suspense>
+              )}
+              <PlaceLines seeing={seenFlat(viewport)} places={seen} />
+            </Picture>
+            <PlaceButtons seeing={seenFlat(viewport)} places={seen} chosen={chosen} choose={choose} />
+            <p className="lesson-checking small" role="status">{failed ? t.picture.failed : isLong && texts.lathe.checking}</p>
+          </div>
+          <LessonBar playback={playback} stretch={stretch} run={run} lines={page.program} />
         </div>
-        <LessonBar playback={playback} stretch={stretch} run={run} lines={page.program} />
-      </div>
-      <LessonFacts outcome={outcome} played={played} told={told} old={isLong || failed} />
-    </section>
+        <LessonFacts outcome={outcome} played={played} told={told} old={isLong || failed} />
+      </section>
+    </CountedIn>
   );
 }

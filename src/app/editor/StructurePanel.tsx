@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useRef, useState } from "react";
 import { useOutcome } from "../engine/outcome.ts";
 import { KEEPS_KEYBOARD } from "../place.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { chooseOpenBlock } from "./choose-block.ts";
 import { partsOf, type Part, type PartFilter } from "./program-parts.ts";
@@ -18,7 +18,7 @@ const FILTERS = ["operations", "all", "labels", "notes"] as const satisfies read
 export function StructurePanel() {
   const all = useTexts();
   const { editor: t } = all;
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths();
   const tools = useToolList();
   const reading = useSession((s) => s.reading);
   const index = useSession((s) => s.index);
@@ -34,7 +34,7 @@ export function StructurePanel() {
 
   const entry = (part: Part, place: number) => {
     const unmade = part.acts ? t.acts : t.notRun;
-    const run = part.done ? doneWords(all, language, part.done) : newest ? unmade : "";
+    const run = part.done ? doneWords(all, lengths, part.done) : newest ? unmade : "";
     const done = part.kind === "cycle" ? run : "";
     const tool = part.tool === null ? undefined : tools.find(({ T, NAME }) => String(T) === part.tool || NAME === part.tool);
     const more = done || (tool ? tool.NAME : part.kind === "structure" ? "" : t.kinds[part.kind]);

@@ -12,7 +12,7 @@ import { useOutcome } from "../engine/outcome.ts";
 import { StripStatus } from "../findings/StripStatus.tsx";
 import { useVerdict } from "../findings/use-findings.ts";
 import { VerdictText } from "../findings/VerdictText.tsx";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useSession } from "./session.ts";
 
@@ -25,7 +25,7 @@ function toolCalls({ blocks }: Program): number {
 /** What the whole program does: operations, passes, tool changes, time, what stays, and the proof. */
 export function TotalsStrip() {
   const t = useTexts();
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths(), { language } = lengths;
   const shown = useOutcome((s) => s.pictured);
   const proved = useOutcome((s) => s.shown);
   const dimmed = useOutcome((s) => s.dimmed);
@@ -74,8 +74,9 @@ export function TotalsStrip() {
         {cell(words.passes, number(effect?.passes, 0), "", "passes")}
         {cell(words.time, effect ? words.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 0)) : words.unknown, "",
           "time")}
-        {cell(words.residual, effect && effect.residual === 0 ? words.none : number(effect?.residual, 2), effect?.residual ? "mm²" : "",
-          "residual")}
+        {cell(words.residual,
+          effect?.residual ? lengths.fixedArea(effect.residual, 2) : effect?.residual === 0 ? words.none : words.unknown,
+          effect?.residual ? lengths.words("mm²") : "", "residual")}
         {cell(t.editor.blocks, number(shown?.run.program.blocks, 0))}
         <div className="effect-cell proof">
           <dt>

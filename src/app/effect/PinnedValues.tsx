@@ -3,7 +3,7 @@ import type { ParamTextId } from "../../cycles/index.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { Icon } from "../Icon.tsx";
 import { readJob } from "../reading.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor, type Editor } from "../store.ts";
 import { pin, settingOf, takeBackPinned, useCompared } from "./before.ts";
@@ -30,7 +30,7 @@ function useChangedPrompts(pinned: Editor | null): readonly Row[] {
 /** Two settings side by side: the pinned one and the present one, with the way back. */
 export function PinnedValues() {
   const t = useTexts();
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths();
   const pinned = useCompared((c) => c.pinned);
   const shown = useOutcome((s) => s.shown);
   const pictured = useOutcome((s) => s.pictured);
@@ -41,8 +41,8 @@ export function PinnedValues() {
   const now = settingOf(shown, pictured);
   const numbers = COMPARED.map((name): Row => ({
     name: names[name],
-    pinned: numberText(t, language, pinned, name),
-    now: numberText(t, language, now, name),
+    pinned: numberText(t, lengths, pinned, name),
+    now: numberText(t, lengths, now, name),
   }));
   return (
     <section className="pinned" aria-label={words.title}>

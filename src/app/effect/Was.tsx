@@ -1,6 +1,6 @@
 import { useMemo } from "react";
 import { useOutcome } from "../engine/outcome.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { settingOf, useCompared, type MeasuredSetting } from "./before.ts";
 import { changeText, numberText, type ComparedNumber } from "./changes.ts";
@@ -23,11 +23,11 @@ function useBoth(): readonly [before: MeasuredSetting, now: MeasuredSetting] | n
 /** What the present values have changed, against the pinned setting, or else the one at which the open prompt opened. */
 export function useChanges(): { readonly changed: (name: ComparedNumber) => Change | null } {
   const t = useTexts();
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths();
   const both = useBoth();
   return {
     changed(name) {
-      const text = both && changeText(t, language, both[0], both[1], name);
+      const text = both && changeText(t, lengths, both[0], both[1], name);
       if (text === null) return null;
       return name === "time" ? { "data-by": text } : { "data-was": text };
     },
@@ -37,9 +37,9 @@ export function useChanges(): { readonly changed: (name: ComparedNumber) => Chan
 /** Gouges and collisions that the present values have made or taken away. */
 export function MoreFaults() {
   const t = useTexts();
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths();
   const both = useBoth();
-  if (!both || changeText(t, language, both[0], both[1], "faults") === null) return null;
-  const [was, is] = both.map((setting) => numberText(t, language, setting, "faults"));
+  if (!both || changeText(t, lengths, both[0], both[1], "faults") === null) return null;
+  const [was, is] = both.map((setting) => numberText(t, lengths, setting, "faults"));
   return <span className="effect-was">{t.page.effect.faults}: {was} → {is}</span>;
 }

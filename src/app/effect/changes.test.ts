@@ -1,26 +1,27 @@
 import { expect, test } from "vitest";
 import { texts } from "../../i18n/index.ts";
+import { lengthsIn } from "../../i18n/lengths.ts";
 import type { MeasuredSetting } from "./before.ts";
 import { changeText, numberText } from "./changes.ts";
 
-const t = texts("en");
+const t = texts("en"), en = lengthsIn("en", "mm");
 const setting = (effect: Partial<MeasuredSetting["effect"]>, more: Partial<MeasuredSetting> = {}): MeasuredSetting =>
   ({ effect: { passes: 5, infeed: 2.4517, seconds: 84.61, residual: 0, ...effect }, chip: 0.7356, faults: 0, ...more }) as MeasuredSetting;
 
 test("a number that changed says what it was, a time by how much", () => {
   const [before, now] = [setting({}), setting({ passes: 7, infeed: 1.7512, seconds: 101.27, residual: 0.137 }, { chip: null, faults: 3 })];
-  const said = (["passes", "infeed", "time", "chip", "residual", "faults"] as const).map((name) => changeText(t, "en", before, now, name));
+  const said = (["passes", "infeed", "time", "chip", "residual", "faults"] as const).map((name) => changeText(t, en, before, now, name));
   expect(said).toEqual(["5", "2.452", "+16.7 s", "0.74", "none", "0"]);
-  expect(changeText(t, "de", now, before, "time")).toContain("−16,7");
+  expect(changeText(t, lengthsIn("de", "mm"), now, before, "time")).toContain("−16,7");
 });
 test("what is written the same has not changed", () => {
   const [before, now] = [setting({}), setting({ infeed: 2.4519, seconds: 84.6401 })];
-  expect(changeText(t, "en", before, now, "infeed")).toBeNull();
-  expect(changeText(t, "en", before, now, "time")).toBeNull();
-  expect(changeText(t, "en", before, now, "passes")).toBeNull();
+  expect(changeText(t, en, before, now, "infeed")).toBeNull();
+  expect(changeText(t, en, before, now, "time")).toBeNull();
+  expect(changeText(t, en, before, now, "passes")).toBeNull();
 });
 test("long times are in minutes, and what is not known is a dash", () => {
-  expect(numberText(t, "en", setting({ seconds: 84.61 }), "time")).toBe("1 min 25 s");
-  expect(numberText(t, "en", setting({ seconds: 7.34 }), "time")).toBe("7.3 s");
-  expect(numberText(t, "en", setting({ residual: null }), "residual")).toBe("–");
+  expect(numberText(t, en, setting({ seconds: 84.61 }), "time")).toBe("1 min 25 s");
+  expect(numberText(t, en, setting({ seconds: 7.34 }), "time")).toBe("7.3 s");
+  expect(numberText(t, en, setting({ residual: null }), "residual")).toBe("–");
 });

@@ -1,4 +1,5 @@
 import { useId, useMemo } from "react";
+import { lengthsIn } from "../../i18n/lengths.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { PointName } from "../../kernel/approach.ts";
 import { compensate } from "../../kernel/compensate.ts";
@@ -75,12 +76,12 @@ function FormValue({ word, form, source, frame, size }: CardProps) {
   const places = useGuidePlaces();
   const advice = useAdviceTexts();
   const { approach: words } = useTexts();
-  const language = useSettings((s) => s.language);
+  const language = useSettings((s) => s.language), lengths = useMemo(() => lengthsIn(language, "mm"), [language]);
   const issueText = useIssueText();
   const id = useId();
   const { request, result, value, isUsual } = form;
   const { line, context: { plane: working, tip, pole } } = source;
-  const speech = approachSpeech(language, working, tip);
+  const speech = approachSpeech(lengths, working, tip);
   const drawing = useMemo(() => {
     const contour = nearby(form.contour, request.departing, FARTHEST);
     return approachDrawing({
@@ -92,10 +93,10 @@ function FormValue({ word, form, source, frame, size }: CardProps) {
       active: word,
       size: SIZE,
       small: true,
-      speech: approachSpeech(language, working, tip),
+      speech: approachSpeech(lengths, working, tip),
       camera: cameraFor(frame, SIZE, MARGIN),
     });
-  }, [result, request, form.contour, source.rapidBefore, word, language, frame, working, tip]);
+  }, [result, request, form.contour, source.rapidBefore, word, lengths, frame, working, tip]);
   const named = isPolar(source.form) ? namedAt(form, source.context) : null;
   const text = formatNumber(language, value);
   const way = result.legs.reduce((sum, { segment }) => sum + plane.lengthOf(segment), 0);

@@ -3,7 +3,7 @@ import { diameter, toDiameter, toRadius, axial, radius } from "../../kernel/unit
 import { formatNumber } from "../../i18n/number.ts";
 import { toPlace, toScreen, type Camera, type Size } from "../../view/camera.ts";
 import { ticks } from "../../view/ticks.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { usePageUnit } from "../unit.ts";
 import { useCamera } from "./use-camera.ts";
@@ -28,12 +28,12 @@ export function CameraAxes({ camera, size: { width, height }, part, unit = 1 }: 
   /** How much larger than written its letters are, in the measure of the size. */
   readonly unit?: number;
 }) {
-  const language = useSettings((s) => s.language), t = useTexts().lathe;
+  const { language, per, unit: counted } = useLengths(), t = useTexts().lathe;
   const corner = toPlace(camera, { x: 0, y: 0 }), far = toPlace(camera, { x: width, y: height });
-  const alongZ = ticks(corner.z, far.z, unit * APART.z / camera.scale);
-  const alongX = ticks(toDiameter(corner.r), toDiameter(far.r), toDiameter(radius(unit * APART.x / camera.scale)));
-  const placeZ = (z: number) => toScreen(camera, { z: axial(z), r: radius(0) }).x;
-  const placeX = (x: number) => toScreen(camera, { z: axial(0), r: toRadius(diameter(x)) }).y;
+  const alongZ = ticks(corner.z / per, far.z / per, unit * APART.z / camera.scale / per);
+  const alongX = ticks(toDiameter(corner.r) / per, toDiameter(far.r) / per, toDiameter(radius(unit * APART.x / camera.scale)) / per);
+  const placeZ = (z: number) => toScreen(camera, { z: axial(z * per), r: radius(0) }).x;
+  const placeX = (x: number) => toScreen(camera, { z: axial(0), r: toRadius(diameter(x * per)) }).y;
   const right = unit * SCALE_LEFT, floor = height - unit * SCALE_BELOW;
   if (part === "grid") {
     const lines = alongZ.values.map((z) => `M${placeZ(z)} 0V${height}`).join("")
@@ -60,7 +60,9 @@ export function CameraAxes({ camera, size: { width, height }, part, unit = 1 }: 
         <text key={i} x={right - 7 * unit} y={y + 4 * unit} textAnchor="end">{formatNumber(language, x, alongX.decimals)}</text>
       ))}
       <text className="lathe-scale-name" x={right - 7 * unit} y={16 * unit} textAnchor="end">{t.axisX}</text>
-      <text className="lathe-scale-name" x={width - 8 * unit} y={height - 6 * unit} textAnchor="end">{t.axisZ}</text>
+      <text className="lathe-scale-name" x={width - 8 * unit} y={height - 6 * unit} textAnchor="end">
+        {counted === "mm" ? t.axisZ : `${t.axisZ} ${counted}`}
+      </text>
     </g>
   );
 }

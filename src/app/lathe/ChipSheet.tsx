@@ -1,8 +1,7 @@
 import { useEffect, useRef } from "react";
-import { formatFixed } from "../../i18n/number.ts";
 import { sameChip, type Chip } from "../../sim/chip/chip.ts";
 import { chipMeasure, drawnChip } from "../../view/cutting-tool/chip-drawing.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import type { Camera } from "../../view/camera.ts";
 import type { Moving } from "./moving.ts";
 import type { Viewport } from "./viewport.ts";
@@ -16,7 +15,7 @@ const NEAR = 40;
  * the chip does, which an even cut does not; its numbers no oftener than they can be read.
  */
 export function ChipSheet({ viewport, moving: { chipAt, playback } }: { readonly viewport: Viewport; readonly moving: Moving }) {
-  const sheet = useRef<SVGSVGElement>(null), language = useSettings((s) => s.language);
+  const sheet = useRef<SVGSVGElement>(null), lengths = useLengths();
   useEffect(() => {
     const element = sheet.current;
     const [world, area, edge, glow, cross, line] = ["g", ".chip-area", ".chip-edge", ".chip-glow", ".chip-tip", ".chip-measure"].map(
@@ -29,9 +28,7 @@ export function ChipSheet({ viewport, moving: { chipAt, playback } }: { readonly
       written = drawn;
       const { scale, xUp } = viewport.drawn(), measure = drawn && chipMeasure(drawn, scale, xUp);
       line?.setAttribute("d", measure?.line ?? "");
-      text.textContent = drawn && measure
-        ? `h ${formatFixed(language, drawn.thickest.size, 3)} · b ${formatFixed(language, drawn.width, 2)}`
-        : "";
+      text.textContent = drawn && measure ? `h ${lengths.fixed(drawn.thickest.size, 3)} · b ${lengths.fixed(drawn.width, 2)}` : "";
       if (!measure) return;
       text.setAttribute("x", String(measure.text.x));
       text.setAttribute("y", String(measure.text.y));
@@ -63,7 +60,7 @@ export function ChipSheet({ viewport, moving: { chipAt, playback } }: { readonly
     look();
     const ends = [viewport.subscribe(look), playback.subscribe(place), playback.subscribeReader(read)];
     return () => ends.forEach((end) => end());
-  }, [viewport, chipAt, playback, language]);
+  }, [viewport, chipAt, playback, lengths]);
   return (
     <svg ref={sheet} className="chip-sheet" width="1" height="1" aria-hidden="true">
       <g>

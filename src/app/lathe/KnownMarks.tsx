@@ -1,18 +1,15 @@
 import type { KnownOutline, KnownPosition } from "../../cycles/known-outline.ts";
 import type { KnownWork } from "../../program/known-work.ts";
-import { formatNumber } from "../../i18n/number.ts";
-import type { Language } from "../../i18n/languages.ts";
+import type { Lengths } from "../../i18n/lengths.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
 import { toScreen } from "../../view/camera.ts";
 import type { Texts } from "../../i18n/index.ts";
 import { usePlace } from "../place.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
 import { useCamera } from "./use-camera.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** Decimals that a control keeps of a position. */
-const DECIMALS = 3;
 /** Height of a text, pixels. */
 const ROW = 15;
 /** How texts stand in a picture: the room of one, and how far below the upper edge and its notes the first row is, pixels. */
@@ -20,14 +17,13 @@ const LARGE = { wide: 104, top: 44 }, SMALL = { wide: 58, top: 18 };
 /** A picture less wide or high than this has room for the numbers alone, pixels. */
 const ROOM = { width: 480, height: 240 };
 
-const valueText = (language: Language, { axis, value }: KnownPosition): string =>
-  `${axis === "x" ? "⌀" : "Z"}${formatNumber(language, value, DECIMALS)}`;
+const valueText = (lengths: Lengths, { axis, value }: KnownPosition): string => `${axis === "x" ? "⌀" : "Z"}${lengths.number(value)}`;
 /** A typed position as a drawing writes it, with its Q: Q491 ⌀61.37. */
-const positionText = (language: Language, p: KnownPosition): string => `${p.q} ${valueText(language, p)}`;
+const positionText = (lengths: Lengths, p: KnownPosition): string => `${p.q} ${valueText(lengths, p)}`;
 
 /** What is known of a contour, in words. */
-export function knownText(t: Texts["lathe"], language: Language, { positions, contour, sketch, whole }: KnownOutline): string {
-  const said = positions.map((p) => positionText(language, p));
+export function knownText(t: Texts["lathe"], lengths: Lengths, { positions, contour, sketch, whole }: KnownOutline): string {
+  const said = positions.map((p) => positionText(lengths, p));
   if (contour.length > 0) said.push(whole ? t.known.whole : t.known.elements(contour.length));
   else if (sketch.length > 0) said.push(t.known.sketch);
   return said.length > 0 ? t.known.soFar(said.join(", ")) : t.known.nothing;
@@ -60,7 +56,7 @@ export function KnownMarks({ viewport, known: { outline: { positions }, points }
   readonly known: KnownWork })
 {
   const camera = useCamera(viewport), { width, height } = viewport.size();
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths();
   const floor = height - SCALE_BELOW;
   const level = positions.filter((p) => p.axis === "x").map((p) => ({
     p,
@@ -75,13 +71,13 @@ export function KnownMarks({ viewport, known: { outline: { positions }, points }
       <path className="line"
         d={[...level.map(({ y }) => `M${SCALE_LEFT} ${y}H${width}`), ...upright.map(({ x }) => `M${x} 0V${floor}`)].join("")} />
       {level.map(({ p, y }, i) => (
-        <text key={p.q} className="number" x={width - 8 - (columns[i] ?? 0) * wide} y={y - 5} textAnchor="end">{text(language, p)}</text>
+        <text key={p.q} className="number" x={width - 8 - (columns[i] ?? 0) * wide} y={y - 5} textAnchor="end">{text(lengths, p)}</text>
       ))}
       {upright.map(({ p, x }, i) => (
         <text key={p.q} className="number" {...(x > width - wide ? { x: x - 5, textAnchor: "end" } : { x: x + 5 })}
           y={top + (rows[i] ?? 0) * ROW}
         >
-          {text(language, p)}
+          {text(lengths, p)}
         </text>
       ))}
       {points.map((point, i) => {

@@ -9,6 +9,7 @@ import { trackOf } from "../../view/playback.ts";
 import { sceneOf, type SceneParts } from "../../view/scene.ts";
 import type { Clock } from "../clock.ts";
 import { Late } from "../Late.tsx";
+import { CountedIn, useLengths } from "../lengths.ts";
 import { LoadPart } from "../load/LoadParts.tsx";
 import { createPointed } from "../load/pointed.ts";
 import { Measurements } from "../measure/Measurements.tsx";
@@ -109,10 +110,11 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   readonly onMove?: MovePointed;
 }) {
   const texts = useTexts(), t = texts.lathe, keysId = useId();
-  const { language, section, xDown, motion } = useSettings();
+  const { section, xDown, motion } = useSettings();
   const [kept, keep] = useState(result);
   if (result && result !== kept) keep(result);
   const shown = result ?? (dimmed ? kept : null), run = shown?.run ?? EMPTY_RUN;
+  const lengths = useLengths(run);
   const { proved, moving } = useMaterial(shown, playback), simulation = proved?.simulation ?? null;
   const [viewport] = useState(() => createViewport(!xDown));
   const [tools, showTools] = useState(false);
@@ -165,10 +167,10 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
   const marked = usePlayback(playback, (s) => datumIndex(run.datums, s.get().position.step)), datum = datumAt(run.datums, marked);
   const state = useMemo(() => {
-    const { x, z } = placeText(language, datum), rests = resting >= 0 ? statusText(texts, language, run, playback) : "";
-    const now = typed ? `${rests}. ${knownText(t, language, typed.outline)}` : rests;
+    const { x, z } = placeText(lengths, datum), rests = resting >= 0 ? statusText(texts, lengths, run, playback) : "";
+    const now = typed ? `${rests}. ${knownText(t, lengths, typed.outline)}` : rests;
     return run.datums.length > 0 ? `${now} ${t.countsFrom(x, z)}` : now;
-  }, [t, texts, language, run, playback, resting, datum, typed]);
+  }, [t, texts, lengths, run, playback, resting, datum, typed]);
   const { told } = useTold();
   const found = usePlaces("ZX"), places = told?.places ?? (dimmed || !simulation ? NOWHERE : found);
   const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
@@ -177,88 +179,90 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const residual = told?.left ?? (ended && simulation ? simulation.proof.residual.map(({ ring }) => ring) : NO_RINGS);
   const gouges = told?.missing ?? simulation?.findings.flatMap(({ rings }) => rings) ?? NO_RINGS;
   return (
-    <section className="lathe" data-tools={tools} aria-label={t.title} onKeyDown={(event) => {
-      const target = event.target as HTMLElement;
-      if (event.ctrlKey || event.metaKey || event.altKey) return;
-      const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
-      if (pressKey(typed, playback, looking, measuring) || chooseByKey(typed)) event.preventDefault();
-    }}>
-      <ViewBar viewport={looking} measuring={{ ...measuring, toggle }} onWhich={proved && contourAt(proved.run, 0) && !dimmed
-        ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
-        : null}
-      >
-        <Legend shapes={scene.shapes} holder={held} />
-      </ViewBar>
-      <div ref={stage}
-        className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}${ended ? " ended" : ""}${
-          beside ? " beside" : ""
-        }`} tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId} {...{ [KEEPS_KEYBOARD]: "" }}
-      >
-        {!alone && (
-          <>
-            <Picture of={run} viewport={viewport} scene={scene} moving={moving} waiting={waiting} gouges={gouges} residual={residual}
-              section={section} name={t.pictures[section](state)} path={path.stretches} ghosts={
-              <Late>
-                <GhostPaths scene={scene} clock={clock} />
-              </Late>
-            } chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
-              hovered={<HoveredMove run={run} hover={hover} />}
-            >
-              <Marks viewport={viewport} starts={starts} datum={datum} />
-              <LoadPart.Mark run={run} seeing={seenFlat(viewport)} />
-              {typed && <KnownMarks viewport={viewport} known={typed} />}
-              {!typed && known && <AskedMarks viewport={viewport} known={known} />}
-              {run.steps.length > 0 && <ToolAway viewport={viewport} playback={playback} run={run} places={seen} datum={datum} />}
-              {leads.length > 0 && (
-                <Suspense>
-                  <TurnPoints viewport={viewport} approaches={leads} />
-                </Suspense>
-              )}
-              <PlaceLines seeing={seenFlat(viewport)} places={seen} />
-            </Picture>
-            <PlaceButtons seeing={seenFlat(viewport)} places={seen} chosen={chosen} choose={choose} />
-            <Measurements viewport={viewport} measuring={measuring} source={source} />
-          </>
-        )}
-        {solid.work && (
+    <CountedIn value={run.program.unit}>
+      <section className="lathe" data-tools={tools} aria-label={t.title} onKeyDown={(event) => {
+        const target = event.target as HTMLElement;
+        if (event.ctrlKey || event.metaKey || event.altKey) return;
+        const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
+        if (pressKey(typed, playback, looking, measuring) || chooseByKey(typed)) event.preventDefault();
+      }}>
+        <ViewBar viewport={looking} measuring={{ ...measuring, toggle }} onWhich={proved && contourAt(proved.run, 0) && !dimmed
+          ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
+          : null}
+        >
+          <Legend shapes={scene.shapes} holder={held} />
+        </ViewBar>
+        <div ref={stage}
+          className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}${ended ? " ended" : ""}${
+            beside ? " beside" : ""
+          }`} tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId} {...{ [KEEPS_KEYBOARD]: "" }}
+        >
+          {!alone && (
+            <>
+              <Picture of={run} viewport={viewport} scene={scene} moving={moving} waiting={waiting} gouges={gouges} residual={residual}
+                section={section} name={t.pictures[section](state)} path={path.stretches} ghosts={
+                <Late>
+                  <GhostPaths scene={scene} clock={clock} />
+                </Late>
+              } chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
+                hovered={<HoveredMove run={run} hover={hover} />}
+              >
+                <Marks viewport={viewport} starts={starts} datum={datum} />
+                <LoadPart.Mark run={run} seeing={seenFlat(viewport)} />
+                {typed && <KnownMarks viewport={viewport} known={typed} />}
+                {!typed && known && <AskedMarks viewport={viewport} known={known} />}
+                {run.steps.length > 0 && <ToolAway viewport={viewport} playback={playback} run={run} places={seen} datum={datum} />}
+                {leads.length > 0 && (
+                  <Suspense>
+                    <TurnPoints viewport={viewport} approaches={leads} />
+                  </Suspense>
+                )}
+                <PlaceLines seeing={seenFlat(viewport)} places={seen} />
+              </Picture>
+              <PlaceButtons seeing={seenFlat(viewport)} places={seen} chosen={chosen} choose={choose} />
+              <Measurements viewport={viewport} measuring={measuring} source={source} />
+            </>
+          )}
+          {solid.work && (
+            <Suspense>
+              <SolidView work={solid.work} run={run} lines={path.has} state={state} clock={clock} places={seen} chosen={chosen}
+                choose={choose} onDrawn={solid.setDrawn} />
+            </Suspense>
+          )}
+          {run.steps.length === 0 && run.blank.length === 0 && (
+            <p className={waiting ? "lathe-outdated small" : "lathe-empty soft"}>{t.pictureEmpty}</p>
+          )}
+          {dimmed && run.steps.length > 0 && <Outdated />}
+          <p id={keysId} className="unseen">{t.keys}</p>
+        </div>
+        <Late>
+          <LoadPart.Strip run={run} viewport={viewport} playback={playback} pointed={pointed} shown={path.has} />
+          <Readout run={run} playback={playback} chipAt={moving?.chipAt ?? null} />
+          <StepList run={run} playback={playback} />
+        </Late>
+        <PlaybackBar playback={playback}>
+          <span className="lathe-fold">
+            <GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} />
+          </span>
+        </PlaybackBar>
+        <Late>
+          <Timeline run={run} playback={playback} />
+          <SpokenStatus run={run} playback={playback} clock={clock} />
+        </Late>
+        {asking && (
           <Suspense>
-            <SolidView work={solid.work} run={run} lines={path.has} state={state} clock={clock} places={seen} chosen={chosen}
-              choose={choose} onDrawn={solid.setDrawn} />
+            <WhichCycle region={asking} done={() => ask(null)} />
           </Suspense>
         )}
-        {run.steps.length === 0 && run.blank.length === 0 && (
-          <p className={waiting ? "lathe-outdated small" : "lathe-empty soft"}>{t.pictureEmpty}</p>
+        {shown && (
+          <div className="lathe-more">
+            <Late>
+              <MoveTable run={run} playback={playback} />
+              <LoadPart.Table run={run} playback={playback} />
+            </Late>
+          </div>
         )}
-        {dimmed && run.steps.length > 0 && <Outdated />}
-        <p id={keysId} className="unseen">{t.keys}</p>
-      </div>
-      <Late>
-        <LoadPart.Strip run={run} viewport={viewport} playback={playback} pointed={pointed} shown={path.has} />
-        <Readout run={run} playback={playback} chipAt={moving?.chipAt ?? null} />
-        <StepList run={run} playback={playback} />
-      </Late>
-      <PlaybackBar playback={playback}>
-        <span className="lathe-fold">
-          <GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} />
-        </span>
-      </PlaybackBar>
-      <Late>
-        <Timeline run={run} playback={playback} />
-        <SpokenStatus run={run} playback={playback} clock={clock} />
-      </Late>
-      {asking && (
-        <Suspense>
-          <WhichCycle region={asking} done={() => ask(null)} />
-        </Suspense>
-      )}
-      {shown && (
-        <div className="lathe-more">
-          <Late>
-            <MoveTable run={run} playback={playback} />
-            <LoadPart.Table run={run} playback={playback} />
-          </Late>
-        </div>
-      )}
-    </section>
+      </section>
+    </CountedIn>
   );
 }

@@ -1,6 +1,6 @@
 import { memo, useCallback, useState } from "react";
 import type { Run } from "../../program/run-types.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { kindText, runningFeed, phaseText, placeText } from "./running.ts";
@@ -14,7 +14,7 @@ const MoveRow = memo(
   function MoveRow({ index, step: { move, block }, isRunning, go }: { readonly index: number; readonly step: Run["steps"][number];
     readonly isRunning: boolean; readonly go: (step: number) => void })
   {
-    const t = useTexts().lathe, language = useSettings((s) => s.language), { x, z } = placeText(language, move.to);
+    const t = useTexts().lathe, lengths = useLengths(), { x, z } = placeText(lengths, move.to);
     return (
       <tr aria-current={isRunning}>
         <th scope="row">
@@ -25,7 +25,7 @@ const MoveRow = memo(
         <td>{kindText(t, move)}</td>
         <td className="number">{x}</td>
         <td className="number">{z}</td>
-        <td className="number">{runningFeed(t, language, move)}</td>
+        <td className="number">{runningFeed(t, lengths, move)}</td>
         <td>{phaseText(t, move)}{move.pass !== undefined && ` ${move.pass}`}</td>
         <td className="number">{block}</td>
       </tr>

@@ -1,7 +1,8 @@
 import { useCallback } from "react";
 import type { Run } from "../../program/run-types.ts";
 import type { Clock } from "../clock.ts";
-import { useSettings } from "../settings/settings.ts";
+import type { Lengths } from "../../i18n/lengths.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { Moving } from "./moving.ts";
 import type { PlaybackStore } from "./playback-store.ts";
@@ -21,11 +22,11 @@ const textOfCell = (now: Said | null, says: string): string | null => now?.[says
 export function Readout({ run, playback, chipAt }: { readonly run: Run; readonly playback: PlaybackStore;
   readonly chipAt: Moving["chipAt"] | null })
 {
-  const texts = useTexts(), t = texts.lathe, language = useSettings((s) => s.language);
+  const texts = useTexts(), t = texts.lathe, lengths = useLengths();
   const moment = useCallback((): Said | null => {
-    const position = playback.shown(), now = runningText(texts, language, run, position);
-    return now && { ...now, chip: chipText(language, chipAt?.(position) ?? null, run.steps[position.step]?.move) };
-  }, [texts, language, run, playback, chipAt]);
+    const position = playback.shown(), now = runningText(texts, lengths, run, position);
+    return now && { ...now, chip: chipText(lengths, chipAt?.(position) ?? null, run.steps[position.step]?.move) };
+  }, [texts, lengths, run, playback, chipAt]);
   const group = useSaid(playback, moment, textOfCell);
   const names = { x: t.axisX, z: t.axisZ, feed: t.feedName, speed: t.speedName };
   return (
@@ -51,20 +52,15 @@ export function Readout({ run, playback, chipAt }: { readonly run: Run; readonly
 
 /** The same in a sentence, read out: at once when something was pressed, now and then while it plays. */
 export function SpokenStatus({ run, playback, clock }: { readonly run: Run; readonly playback: PlaybackStore; readonly clock: Clock }) {
-  const texts = useTexts(), language = useSettings((s) => s.language);
-  const sentence = useCallback(() => statusText(texts, language, run, playback), [texts, language, run, playback]);
+  const texts = useTexts(), lengths = useLengths();
+  const sentence = useCallback(() => statusText(texts, lengths, run, playback), [texts, lengths, run, playback]);
   const said = useSpoken(playback, clock, sentence);
   return <p className="unseen" role="status">{said}</p>;
 }
 
 /** One sentence about the moment that is shown. */
-export function statusText(
-  texts: ReturnType<typeof useTexts>,
-  language: Parameters<typeof runningText>[1],
-  run: Run,
-  playback: PlaybackStore,
-): string {
-  const now = runningText(texts, language, run, playback.shown()), t = texts.lathe;
+export function statusText(texts: ReturnType<typeof useTexts>, lengths: Lengths, run: Run, playback: PlaybackStore): string {
+  const now = runningText(texts, lengths, run, playback.shown()), t = texts.lathe;
   if (!now) return t.pictureEmpty;
   const { position } = playback.get();
   const where = position.step >= run.steps.length ? t.atEnd : position.step === 0 && position.fraction === 0 ? t.atStart : "";

@@ -7,7 +7,7 @@ import { toScreen, type Place } from "../../view/camera.ts";
 import { edgeMark, type Seen } from "../../view/edge-mark.ts";
 import { labelsOverlap, textWidth, type LabelBox } from "../../view/help/labels.ts";
 import { tipAt } from "../../view/tip.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { holds } from "../use-media.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
 import { badgesOf, TOOLS } from "./PlaceButtons.tsx";
@@ -30,7 +30,7 @@ export function ToolAway({ viewport, playback, run, places, datum }: { readonly 
   readonly run: Run; readonly places: readonly LookAt[]; readonly datum: Pt })
 {
   const group = useRef<SVGGElement>(null);
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths();
   const lines = useMemo(
     () => [
       ...run.blank.map((ring) => [...ring, ...ring.slice(0, 1)]),
@@ -56,7 +56,7 @@ export function ToolAway({ viewport, playback, run, places, datum }: { readonly 
       if (isShown !== (mark !== null)) element.style.display = mark ? "" : "none";
       isShown = mark !== null;
       if (!mark || !tip) return;
-      const { at: { x, y }, turn } = mark, { x: diameter, z } = placeText(language, tip), step = steps[position.step];
+      const { at: { x, y }, turn } = mark, { x: diameter, z } = placeText(lengths, tip), step = steps[position.step];
       const told = [`X⌀ ${diameter}`, `Z ${z}`] as const, wide = Math.max(...told.map((each) => textWidth(each, TEXT))) + 2 * GROUND;
       const choices = placesBeside(mark.at, { width: wide, height: 2 * LINE + GROUND }, room).filter((each) =>
         !corner || !labelsOverlap(each, corner)
@@ -96,7 +96,7 @@ export function ToolAway({ viewport, playback, run, places, datum }: { readonly 
       ends.forEach((end) => end());
       element.style.display = "none";
     };
-  }, [run, places, datum, lines, viewport, playback, language]);
+  }, [run, places, datum, lines, viewport, playback, lengths]);
   return (
     <g ref={group} className="tool-away" aria-hidden="true" style={{ display: "none" }}>
       <rect rx="3" />

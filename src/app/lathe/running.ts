@@ -1,8 +1,8 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import type { Texts } from "../../i18n/index.ts";
 import type { CyclesTexts } from "../../i18n/cycle-text.ts";
-import type { Language } from "../../i18n/languages.ts";
-import { formatFixed, formatNumber, formatPosition } from "../../i18n/number.ts";
+import type { Lengths } from "../../i18n/lengths.ts";
+import { formatNumber } from "../../i18n/number.ts";
 import type { Move } from "../../kernel/move.ts";
 import type { Pt } from "../../kernel/point.ts";
 import type { Spindle } from "../../kernel/step.ts";
@@ -27,17 +27,14 @@ export interface Running {
 }
 
 /** A place as the control shows it: X as diameter. */
-export const placeText = (language: Language, p: Pt) => ({
-  x: formatPosition(language, toDiameter(p.r)),
-  z: formatPosition(language, p.z),
-});
+export const placeText = (lengths: Lengths, p: Pt) => ({ x: lengths.position(toDiameter(p.r)), z: lengths.position(p.z) });
 
 /** Feed with its unit, that it is a rapid, or how long a dwell takes. */
-export function runningFeed(t: Texts["lathe"], language: Language, move: Move): string {
+export function runningFeed(t: Texts["lathe"], lengths: Lengths, move: Move): string {
   if (move.kind === "rapid") return t.rapid;
-  if (move.kind === "thread") return `${formatNumber(language, Math.abs(move.pitch))} ${t.perTurn}`;
-  if (move.kind === "feed" && move.dwell !== undefined) return t.turns(formatNumber(language, move.dwell));
-  return `${formatNumber(language, move.feed)} ${move.feedUnit === "mm/rev" ? t.perTurn : t.perMinute}`;
+  if (move.kind === "thread") return `${lengths.number(Math.abs(move.pitch))} ${lengths.words(t.perTurn)}`;
+  if (move.kind === "feed" && move.dwell !== undefined) return t.turns(formatNumber(lengths.language, move.dwell));
+  return `${lengths.number(move.feed)} ${lengths.words(move.feedUnit === "mm/rev" ? t.perTurn : t.perMinute)}`;
 }
 
 /** What a move is, in a word. */
@@ -133,24 +130,24 @@ function spindleOf(run: Run, index: number): Spindle | null {
 }
 
 /** The chip of a moment in one line; nothing without one. The feed of a turn is said where the one beside it is a feed of a minute. */
-export function chipText(language: Language, chip: Chip | null, move: Move | undefined): string {
+export function chipText(lengths: Lengths, chip: Chip | null, move: Move | undefined): string {
   if (!chip || !move) return "";
-  const said = (size: number) => formatFixed(language, size, 3);
+  const said = (size: number) => lengths.fixed(size, 3);
   const feed = (move.kind === "feed" || move.kind === "arc") && move.feedUnit === "mm/min" ? ` · f ${said(chip.feed)}` : "";
-  return `ap ${said(chip.depth)}${feed} · h ${said(chip.thickest.size)} mm · A ${said(chip.area)} mm²`;
+  return lengths.words(`ap ${said(chip.depth)}${feed} · h ${said(chip.thickest.size)} mm · A ${lengths.fixedArea(chip.area, 3)} mm²`);
 }
 
 /** What to say about a position; null when the run has no moves. */
-export function runningText(t: Texts, language: Language, run: Run, position: PlayPosition): Running | null {
+export function runningText(t: Texts, lengths: Lengths, run: Run, position: PlayPosition): Running | null {
   const index = Math.min(position.step, run.steps.length - 1), step = run.steps[index], tip = tipAt(run.steps, position);
   if (!step || !tip) return null;
   const operation = step.operation === null ? undefined : run.operations[step.operation], spindle = spindleOf(run, index);
   const speed = spindle ? speedAt(spindle, tip.r) : null;
   const { pass } = step.move;
   return {
-    ...placeText(language, tip),
-    feed: runningFeed(t.lathe, language, step.move),
-    speed: speed !== null && Number.isFinite(speed) ? `${formatNumber(language, speed, 0)} ${t.lathe.rpm}` : "–",
+    ...placeText(lengths, tip),
+    feed: runningFeed(t.lathe, lengths, step.move),
+    speed: speed !== null && Number.isFinite(speed) ? `${formatNumber(lengths.language, speed, 0)} ${t.lathe.rpm}` : "–",
     phase: phaseText(t.lathe, step.move),
     pass: pass !== undefined && operation ? t.lathe.pass(String(pass), String(Math.max(pass, operation.plan.passes))) : "",
     step: stepText(t, operation, step.move),

@@ -1,6 +1,6 @@
 import type { Run } from "../../program/run-types.ts";
 import { useSeeing, type Seeing } from "../lathe/seeing.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useGreatest, useLoadTexts, loadValue, type Told } from "./use-load.ts";
 
 export interface LoadMarkProps {
@@ -15,7 +15,7 @@ const ASIDE = 14;
 
 /** The worst place, marked and with its value. */
 export function LoadMark({ of, run, seeing }: LoadMarkProps) {
-  const t = useLoadTexts(), language = useSettings((s) => s.language);
+  const t = useLoadTexts(), lengths = useLengths();
   const seen = useSeeing(seeing), { width } = seen.size();
   const { worst } = useGreatest(run, of) ?? {};
   const at = worst && seen.at(worst.place);
@@ -25,7 +25,7 @@ export function LoadMark({ of, run, seeing }: LoadMarkProps) {
     <g className="load-mark" aria-hidden="true">
       <path d={`M${x - HALF} ${y}L${x} ${y - HALF}L${x + HALF} ${y}L${x} ${y + HALF}Z`} />
       <text x={isRight ? x - ASIDE : x + ASIDE} y={y - HALF} textAnchor={isRight ? "end" : "start"}>
-        {loadValue(t, language, of, worst.value)}
+        {loadValue(t, lengths, of, worst.value)}
       </text>
     </g>
   );

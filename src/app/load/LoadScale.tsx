@@ -1,6 +1,6 @@
 import { classesOf, classTone } from "../../view/load/scale.ts";
 import type { LoadDrawing } from "../../view/load/lines.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { toneClass } from "./LoadLines.tsx";
 import { loadNumber, useLoadTexts, type Told } from "./use-load.ts";
 
@@ -17,17 +17,17 @@ function Sample({ tone, limited = false }: { readonly tone: number | null; reado
 
 /** The classes with their numbers, and what else lines mean that are there. */
 export function LoadScale({ of, drawing: { scale, lines } }: { readonly of: Told; readonly drawing: LoadDrawing }) {
-  const t = useLoadTexts(), language = useSettings((s) => s.language);
-  const bounds = scale.bounds.map((bound) => loadNumber(language, of, bound)), last = classesOf(scale) - 1;
+  const t = useLoadTexts(), lengths = useLengths(), unit = lengths.words(t.units[of]);
+  const bounds = scale.bounds.map((bound) => loadNumber(lengths, of, bound)), last = classesOf(scale) - 1;
   const limited = lines.find((line) => line.limited);
   return (
     <ul className="load-scale number" aria-label={t.scale}>
       {Array.from({ length: last + 1 }, (_, i) => (
         <li key={i}>
           <Sample tone={classTone(scale, i)} />
-          <span className="unseen">{t.between(bounds[i] ?? "", bounds[i + 1] ?? "", t.units[of])}</span>
+          <span className="unseen">{t.between(bounds[i] ?? "", bounds[i + 1] ?? "", unit)}</span>
           <span aria-hidden="true" className="load-bound">{bounds[i]}</span>
-          {i === last && <span aria-hidden="true" className="load-bound load-last">{bounds[i + 1]} {t.units[of]}</span>}
+          {i === last && <span aria-hidden="true" className="load-bound load-last">{bounds[i + 1]} {unit}</span>}
         </li>
       ))}
       {limited && (

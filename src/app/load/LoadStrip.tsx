@@ -1,6 +1,6 @@
 import { useCallback, useEffect, useRef, useSyncExternalStore } from "react";
 import type { LoadTexts } from "../../i18n/en/load.ts";
-import type { Language } from "../../i18n/languages.ts";
+import type { Lengths } from "../../i18n/lengths.ts";
 import type { Pt } from "../../kernel/point.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
@@ -11,7 +11,7 @@ import { useOutcome } from "../engine/outcome.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { useEachReading } from "../lathe/use-playback.ts";
 import type { Viewport } from "../lathe/viewport.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { goToLoad } from "./go.ts";
 import { LoadScale } from "./LoadScale.tsx";
 import { measureLoad, type MeasuredLoad } from "./load-store.ts";
@@ -38,27 +38,27 @@ const NEAR = 10;
 
 interface Asked {
   readonly t: LoadTexts;
-  readonly language: Language;
+  readonly lengths: Lengths;
   readonly of: Told;
   readonly load: MeasuredLoad;
 }
 
 /** What is told of a moment; empty where the tool cuts nothing. */
-function momentText({ t, language, of, load: { path, surface } }: Asked, position: PlayPosition): string {
+function momentText({ t, lengths, of, load: { path, surface } }: Asked, position: PlayPosition): string {
   if (of === "roughness") {
     const stretch = surface && stretchOfStep(surface, position);
-    return stretch ? stretchText(t, language, stretch) : "";
+    return stretch ? stretchText(t, lengths, stretch) : "";
   }
   const row = path && rowAt(path, position);
-  return path && row !== null ? rowText(t, language, of, path, row) : "";
+  return path && row !== null ? rowText(t, lengths, of, path, row) : "";
 }
 
 /** What is told of a place under the pointer; empty where nothing lies there. */
 function pointedText(asked: Asked, run: Run, place: Pt, reach: number, shown: (step: number) => boolean): string {
-  const { t, language, of, load: { surface } } = asked;
+  const { t, lengths, of, load: { surface } } = asked;
   if (of === "roughness") {
     const stretch = surface && stretchNear(surface, place, reach);
-    return stretch ? stretchText(t, language, stretch) : "";
+    return stretch ? stretchText(t, lengths, stretch) : "";
   }
   const step = moveAt(run.steps, place, reach, shown);
   return step === null ? "" : momentText(asked, positionNear(run.steps, step, place));
@@ -76,23 +76,23 @@ function useMeasuring(run: Run, what: "surface" | "path"): void {
 
 /** The scale of what is told by colour, its value where the tool or the pointer is, and the worst place. */
 export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadStripProps) {
-  const t = useLoadTexts(), language = useSettings((s) => s.language);
+  const t = useLoadTexts(), lengths = useLengths();
   useMeasuring(run, of === "roughness" ? "surface" : "path");
   const load = useLoadOf(run), told = useMeasuredRun(run), isOld = told !== run;
   const drawing = useLoadDrawing(told, of), worst = useGreatest(told, of)?.worst ?? null;
   const place = useSyncExternalStore(pointed.subscribe, pointed.get);
-  const here = place && load ? pointedText({ t, language, of, load }, run, place, NEAR / viewport.get().scale, shown) : "";
+  const here = place && load ? pointedText({ t, lengths, of, load }, run, place, NEAR / viewport.get().scale, shown) : "";
   const now = useRef<HTMLSpanElement>(null);
   useEachReading(playback, useCallback(() => {
-    const said = (load && momentText({ t, language, of, load }, playback.shown())) || "–";
+    const said = (load && momentText({ t, lengths, of, load }, playback.shown())) || "–";
     if (now.current && now.current.textContent !== said) now.current.textContent = said;
-  }, [t, language, of, load, playback]));
+  }, [t, lengths, of, load, playback]));
   const rests = worst ? "" : t.nothing;
   const waits = drawing && !isOld ? rests : load?.failed ? t.failed : t.working;
   return (
     <section className="load-strip" data-old={isOld} aria-label={t.names[of]}>
       <p className="load-title">
-        <b>{t.names[of]}</b> <span className="soft small">{t.abouts[of]}</span>
+        <b>{t.names[of]}</b> <span className="soft small">{lengths.words(t.abouts[of])}</span>
       </p>
       {drawing && worst && <LoadScale of={of} drawing={drawing} />}
       {waits !== "" && <p role="status" className="soft">{waits}</p>}
@@ -105,7 +105,7 @@ export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadS
         <p className="load-worst">
           <span className="soft small">{worst.limited && of === "speed" ? t.least : t.greatest}</span>
           <span className="number">
-            <b>{loadValue(t, language, of, worst.value)}</b> {loadPlaceText(t, language, worst)}
+            <b>{loadValue(t, lengths, of, worst.value)}</b> {loadPlaceText(t, lengths, worst)}
           </span>
           <button type="button" className="button" disabled={isOld} onClick={() => goToLoad(playback, worst)}>{t.go}</button>
         </p>

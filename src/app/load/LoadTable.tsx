@@ -1,7 +1,7 @@
 import type { Run } from "../../program/run-types.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { placeText } from "../lathe/running.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { goToLoad } from "./go.ts";
 import { loadPlaceText, useGreatest, useLoadTexts, loadValue, type Told } from "./use-load.ts";
@@ -14,7 +14,7 @@ export interface LoadTableProps {
 
 /** The same in words: the greatest value of each operation, and where it is. */
 export function LoadTable({ of, run, playback }: LoadTableProps) {
-  const t = useLoadTexts(), { lathe } = useTexts(), language = useSettings((s) => s.language);
+  const t = useLoadTexts(), { lathe } = useTexts(), lengths = useLengths();
   const { each } = useGreatest(run, of) ?? { each: [] };
   return (
     <details className="lathe-moves" name="lathe-more">
@@ -29,20 +29,20 @@ export function LoadTable({ of, run, playback }: LoadTableProps) {
           </thead>
           <tbody>
             {each.map((place) => {
-              const { x, z } = placeText(language, place.place),
+              const { x, z } = placeText(lengths, place.place),
                 operation = place.operation === null ? null : run.operations[place.operation];
               return (
                 <tr key={place.operation}>
                   <th scope="row">{operation ? lathe.operation(String(operation.cycle), String(operation.tool.T)) : lathe.outside}</th>
                   <td className="number">
-                    {loadValue(t, language, of, place.value)}
+                    {loadValue(t, lengths, of, place.value)}
                     {place.limited && of === "speed" && ` (${t.limited})`}
                   </td>
                   <td className="number">{x}</td>
                   <td className="number">{z}</td>
                   <td className="number">{place.block}</td>
                   <td>
-                    <button type="button" className="lathe-goto" aria-label={t.goTo(loadPlaceText(t, language, place))}
+                    <button type="button" className="lathe-goto" aria-label={t.goTo(loadPlaceText(t, lengths, place))}
                       onClick={() => goToLoad(playback, place)}
                     >
                       {t.go}

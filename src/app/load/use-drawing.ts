@@ -1,8 +1,9 @@
 import { useMemo } from "react";
 import type { Run } from "../../program/run-types.ts";
 import { drawingAlong, drawingOfSurface, type LoadDrawing } from "../../view/load/lines.ts";
+import { useLengths } from "../lengths.ts";
 import { useSettings } from "../settings/settings.ts";
-import { useLoadOf, type Told } from "./use-load.ts";
+import { loadSize, useLoadOf, type Told } from "./use-load.ts";
 
 const EVERY = () => true;
 
@@ -10,9 +11,10 @@ const EVERY = () => true;
 export function useLoadDrawing(run: Run, of: Told | null, shown: (step: number) => boolean = EVERY): LoadDrawing | null {
   const { path, surface } = useLoadOf(run) ?? {};
   const paths = useSettings((s) => s.paths), has = paths === "none" ? EVERY : shown;
+  const lengths = useLengths(run), size = of === null ? 1 : loadSize(lengths, of);
   return useMemo(() => {
     if (of === null) return null;
-    if (of === "roughness") return surface ? drawingOfSurface(surface) : null;
-    return path ? drawingAlong(path, of, run.steps, has) : null;
-  }, [run, of, path, surface, has]);
+    if (of === "roughness") return surface ? drawingOfSurface(surface, size) : null;
+    return path ? drawingAlong(path, of, run.steps, has, size) : null;
+  }, [run, of, path, surface, has, size]);
 }

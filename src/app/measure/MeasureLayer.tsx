@@ -10,7 +10,7 @@ import { onSide, halfOf } from "../../view/measure/snap.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { usePageUnit } from "../unit.ts";
 import { useMedia } from "../use-media.ts";
 import { MeasuredLabels, type Moved } from "./MeasuredLabels.tsx";
@@ -79,7 +79,7 @@ const AIR = 6;
 export function MeasureLayer({ viewport, measuring, source }: { readonly viewport: Viewport; readonly measuring: Measuring;
   readonly source: MeasureSource })
 {
-  const t = useMeasureTexts(), language = useSettings((s) => s.language), unit = usePageUnit(), isNarrow = useMedia("narrow");
+  const t = useMeasureTexts(), lengths = useLengths(), unit = usePageUnit(), isNarrow = useMedia("narrow");
   const camera = useCamera(viewport), size = viewport.size();
   const readings = useReadings(source), state = useStore(measuring.state);
   const sourceNow = useEffectEvent(() => source), textsNow = useEffectEvent(() => t);
@@ -90,10 +90,10 @@ export function MeasureLayer({ viewport, measuring, source }: { readonly viewpor
   ]);
   const [moved, move] = useState<Moved | null>(null), [panel, keep] = useState<LabelBox | null>(null);
   const isTurned = source.plane === "ZX";
-  const words = useMemo(() => new Map(readings.map((each) => [each.measurement.id, measurementWords(t, language, each)])), [
+  const words = useMemo(() => new Map(readings.map((each) => [each.measurement.id, measurementWords(t, lengths, each)])), [
     readings,
     t,
-    language,
+    lengths,
   ]);
   const standing = useMemo(() => {
     const edges = {

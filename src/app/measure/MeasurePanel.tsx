@@ -3,18 +3,18 @@ import { Toolbar } from "react-aria-components/Toolbar";
 import type { MeasuredKind } from "../../kernel/measured.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import type { MeasureTexts } from "../../i18n/en/measure.ts";
-import type { Language } from "../../i18n/languages.ts";
-import { formatNumber, formatPosition } from "../../i18n/number.ts";
+import type { Lengths } from "../../i18n/lengths.ts";
+import { formatNumber } from "../../i18n/number.ts";
 import type { LabelBox } from "../../view/help/labels.ts";
 import { counted, gaugedFor, measure, measuredFor } from "../../view/measure/distance.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import { setMeasured } from "../edits.ts";
 import { Icon } from "../Icon.tsx";
+import { useLengths } from "../lengths.ts";
 import { MeasuredInto, type MeasuredTarget } from "../lathe/measured-into.ts";
-import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useMedia } from "../use-media.ts";
-import { inchText, useMeasureTexts, gaugedText, type MeasurementWords } from "./measure-words.ts";
+import { otherText, useMeasureTexts, gaugedText, type MeasurementWords } from "./measure-words.ts";
 import { removeMeasurement } from "./MeasuredLabels.tsx";
 import { toolsOf } from "./hand.ts";
 import { TOOL_KEYS, type Measuring, type MeasureState } from "./measuring.ts";
@@ -97,17 +97,17 @@ function offeredPlain(target: MeasuredTarget | null, { first, done }: MeasureSta
 }
 
 /** Where the cross stands, or how far it is from the first place. */
-function Numbers({ state: { cross, first, done }, value, isTurned, language, t }: { readonly state: MeasureState;
-  readonly value: number | undefined; readonly isTurned: boolean; readonly language: Language; readonly t: MeasureTexts })
+function Numbers({ state: { cross, first, done }, value, isTurned, lengths, t }: { readonly state: MeasureState;
+  readonly value: number | undefined; readonly isTurned: boolean; readonly lengths: Lengths; readonly t: MeasureTexts })
 {
-  const lathe = useTexts().lathe, n = (v: number) => formatPosition(language, v);
+  const lathe = useTexts().lathe, n = lengths.position;
   const [a, b] = done?.kind === "distance" ? done.places : [first, cross];
   if (done && value !== undefined && done.kind !== "distance") {
-    const inch = inchText(t, language, done.kind, value);
+    const other = otherText(t, lengths, done.kind, value);
     return (
       <p className="measure-value number">
-        <b>{gaugedText(language, done.kind, value)}</b>
-        {inch && <span className="soft">{inch}</span>}
+        <b>{gaugedText(lengths, done.kind, value)}</b>
+        {other && <span className="soft">{other}</span>}
       </p>
     );
   }
@@ -119,8 +119,8 @@ function Numbers({ state: { cross, first, done }, value, isTurned, language, t }
       ...rows,
       isTurned ? [lathe.deltaX, n(way.dx)] : ["ΔX", n(way.dz)],
       isTurned ? [lathe.deltaZ, n(way.dz)] : ["ΔY", n(b && a ? b.at.r - a.at.r : 0)],
-      [lathe.distance, gaugedText(language, "distance", way.distance)],
-      ...(value ? [["", inchText(t, language, "distance", value)]] : []),
+      [lathe.distance, gaugedText(lengths, "distance", way.distance)],
+      ...(value ? [["", otherText(t, lengths, "distance", value)]] : []),
     ]
     : at_
     ? [isTurned ? [lathe.axisX, n(toDiameter(at_.r))] : ["X", n(at_.z)], isTurned ? [lathe.axisZ, n(at_.z)] : ["Y", n(at_.r)]]
@@ -182,7 +182,7 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
   readonly source: MeasureSource; readonly state: MeasureState; readonly readings: readonly MeasurementNow[];
   readonly words: ReadonlyMap<string, MeasurementWords>; readonly kept: (box: LabelBox | null) => void })
 {
-  const t = useMeasureTexts(), take = useTexts().lathe.takeInto, language = useSettings((s) => s.language);
+  const t = useMeasureTexts(), take = useTexts().lathe.takeInto, lengths = useLengths();
   const target = useContext(MeasuredInto), panel = useRef<HTMLDivElement>(null), isTurned = source.plane === "ZX";
   const [spoken, speak] = useState({ text: "", after: state }), isPhone = useMedia("phone");
   useEffect(() => {
@@ -213,10 +213,11 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
       }}>
         <Icon name="close" />
       </button>
-      <Numbers state={{ ...state, done }} value={own?.value} isTurned={isTurned} language={language} t={t} />
+      <Numbers state={{ ...state, done }} value={own?.value} isTurned={isTurned} lengths={lengths} t={t} />
       {target && into !== null && (
         <button type="button" className="button small" onClick={() => target.take(into)}>
-          {take(`${target.kind === "diameter" ? "⌀" : ""}${formatNumber(language, into, target.counts.unit === 1 ? 3 : 4)}`, target.q)}
+          {take(`${target.kind === "diameter" ? "⌀" : ""}${formatNumber(lengths.language, into, target.counts.unit === 1 ? 3 : 4)}`,
+            target.q)}
         </button>
       )}
       {!done && <p className="measure-hint small soft">{hintOf(t, kind, state, isTurned)}</p>}

@@ -1,5 +1,5 @@
 import type { MeasureTexts } from "../../i18n/en/measure.ts";
-import type { Language } from "../../i18n/languages.ts";
+import type { Lengths } from "../../i18n/lengths.ts";
 import { formatFixed, formatNumber } from "../../i18n/number.ts";
 import { loadMeasure } from "../../i18n/load-measure.ts";
 import type { MeasuredKind, MeasuredMoment } from "../../kernel/measured.ts";
@@ -11,26 +11,28 @@ import { laterTexts } from "../settings/later-texts.ts";
 export const { useThem: useMeasureTexts } = laterTexts(loadMeasure);
 
 /** A length with two decimals, or three where it needs them. */
-const lengthText = (language: Language, value: number): string =>
-  formatFixed(language, rounded(value), Math.abs(Math.round(value * 1000) % 10) > 0 ? 3 : 2);
+const lengthText = ({ language, unit, fixed }: Lengths, value: number): string =>
+  unit === "mm" ? formatFixed(language, rounded(value), Math.abs(Math.round(value * 1000) % 10) > 0 ? 3 : 2) : fixed(value, 3);
 
 /** A measured value as it stands on a print: ⌀42.000, 35.00, R1.5, 30°. */
-export function gaugedText(language: Language, kind: MeasuredKind, value: number): string {
+export function gaugedText(lengths: Lengths, kind: MeasuredKind, value: number): string {
   switch (kind) {
     case "diameter":
-      return `⌀${formatFixed(language, value, 3)}`;
+      return `⌀${lengths.fixed(value, 3)}`;
     case "radius":
-      return `R${formatNumber(language, value, 3)}`;
+      return `R${lengths.number(value)}`;
     case "angle":
-      return `${formatNumber(language, value, 3)}°`;
+      return `${formatNumber(lengths.language, value, 3)}°`;
     default:
-      return lengthText(language, value);
+      return lengthText(lengths, value);
   }
 }
 
-/** A length in inches; empty for an angle. */
-export const inchText = (t: MeasureTexts, language: Language, kind: MeasuredKind, value: number): string =>
-  kind === "angle" ? "" : t.inch(formatFixed(language, value / INCH, 4));
+/** A length in the other unit, inches or millimetres; empty for an angle. */
+export function otherText(t: MeasureTexts, { language, unit }: Lengths, kind: MeasuredKind, value: number): string {
+  if (kind === "angle") return "";
+  return unit === "mm" ? t.inch(formatFixed(language, value / INCH, 4)) : `${formatFixed(language, value, 3)} mm`;
+}
 
 /** Which moment's stock was measured. */
 export function stockMomentText(t: MeasureTexts, { block, pass }: MeasuredMoment): string {
@@ -50,10 +52,10 @@ export interface MeasurementWords {
 /** A measurement in words and numbers of the screen language. */
 export function measurementWords(
   t: MeasureTexts,
-  language: Language,
+  lengths: Lengths,
   { measurement: { kind, moment, places }, value, isOld }: MeasurementNow,
 ): MeasurementWords {
-  const text = gaugedText(language, kind, value);
+  const text = gaugedText(lengths, kind, value);
   const when = moment ? stockMomentText(t, moment) : "";
   const owners = [...new Set(places.flatMap(({ edge }) => (edge && edge.of !== "stock" ? [t.owners[edge.of]] : [])))];
   const caption = isOld ? t.old : moment?.block === undefined ? "" : when;

@@ -5,7 +5,7 @@ import { chooseOpenBlock } from "../editor/choose-block.ts";
 import { openBlock } from "../editor/session.ts";
 import { Icon, type IconName } from "../Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { OperationRow } from "./operation-rows.ts";
 import { cycleWords, doneWords, titleOf } from "./words.ts";
@@ -44,12 +44,12 @@ function placeAt(list: Element | null, y: number): number {
 export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDrop }: Props) {
   const t = useTexts();
   const words = t.operations;
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths();
   const item = useRef<HTMLLIElement>(null);
   const title = titleOf(t, row);
   const cycle = row.cycles[0] === undefined ? undefined : menuCycle(row.cycles[0]);
   const tool = row.tool === null ? words.noTool : `${words.tool(row.tool)}${row.known ? ` ${row.known.NAME}` : ""}`;
-  const ran = row.done ? doneWords(t, language, row.done) : "";
+  const ran = row.done ? doneWords(t, lengths, row.done) : "";
   const off = row.isOff ? words.off : "";
   const found = row.findings ? words.findings(row.findings.count) : "";
   const name = [words.name(row.unit + 1, title), tool, row.isOff ? off : ran, found].filter((each) => each !== "").join(", ");

@@ -1,9 +1,9 @@
 import type { CycleNumber } from "../../cycles/index.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { isKept } from "../../cycles/kept-cycles.ts";
-import { formatFixed, formatNumber } from "../../i18n/number.ts";
+import type { Lengths } from "../../i18n/lengths.ts";
+import { formatFixed } from "../../i18n/number.ts";
 import type { Texts } from "../../i18n/index.ts";
-import type { Language } from "../../i18n/languages.ts";
 import { NO_AREA } from "../effect/effect.ts";
 import type { Done } from "../editor/program-parts.ts";
 import type { OperationRow } from "./operation-rows.ts";
@@ -19,10 +19,10 @@ export const titleOf = (t: Texts, { title, cycles }: Pick<OperationRow, "title" 
   title ?? (cycles.length > 0 ? cycles.map((cycle) => cycleWords(t, cycle)).join(" · ") : t.operations.withoutCycle);
 
 /** Passes, time and what stays, in a line. */
-export function doneWords(t: Texts, language: Language, { passes, seconds, residue }: Done): string {
+export function doneWords(t: Texts, lengths: Lengths, { passes, seconds, residue }: Done): string {
   const time = t.page.effect.duration(Math.floor(Math.round(seconds) / 60),
-    formatFixed(language, seconds < 60 ? seconds : Math.round(seconds) % 60, seconds < 60 ? 1 : 0));
+    formatFixed(lengths.language, seconds < 60 ? seconds : Math.round(seconds) % 60, seconds < 60 ? 1 : 0));
   if (passes === 0) return time;
   return t.editor.operation(t.editor.passes(passes), time,
-    residue < NO_AREA ? t.editor.noResidue : t.editor.residue(formatNumber(language, residue, 2)));
+    residue < NO_AREA ? t.editor.noResidue : lengths.words(t.editor.residue(lengths.area(residue, 2))));
 }

@@ -1,5 +1,6 @@
 import { useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
+import { lengthsIn, type Lengths } from "../../i18n/lengths.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import type { SheetMeasurement } from "../../view/sheet/measured.ts";
 import { measurablePlane } from "../approach/plane-source.ts";
@@ -10,6 +11,12 @@ import { readIn } from "../measure/readings.ts";
 import { measurableRun } from "../measure/source.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useEditor } from "../store.ts";
+
+/** The sheet is in mm, whatever the program counts in. */
+function useSheetLengths(): Lengths {
+  const language = useSettings((s) => s.language);
+  return useMemo(() => lengthsIn(language, "mm"), [language]);
+}
 
 const NOTHING: readonly MeasurementNow[] = [];
 
@@ -25,24 +32,24 @@ export function useSheetMeasured(outcome: Outcome | null): readonly MeasurementN
 
 /** Those that are drawn: of the finished part. Half-made parts and milled planes are not on the drawing. */
 export function useDrawnMeasured(measured: readonly MeasurementNow[]): readonly SheetMeasurement[] {
-  const t = useMeasureTexts(), language = useSettings((s) => s.language);
+  const t = useMeasureTexts(), lengths = useSheetLengths();
   return useMemo(() =>
     measured.flatMap((each) => {
       const { measurement: { id, plane, moment }, figure, isOld } = each;
       const isDrawn = !isOld && plane === "ZX" && moment?.block === undefined;
-      return isDrawn ? [{ id, figure, text: measurementWords(t, language, each).text }] : [];
-    }), [measured, t, language]);
+      return isDrawn ? [{ id, figure, text: measurementWords(t, lengths, each).text }] : [];
+    }), [measured, t, lengths]);
 }
 
 /** What was measured, in words; what is of before a change is only counted. */
 export function SheetMeasured({ measured, t }: { readonly measured: readonly MeasurementNow[]; readonly t: SheetTexts }) {
-  const own = useMeasureTexts(), language = useSettings((s) => s.language);
+  const own = useMeasureTexts(), lengths = useSheetLengths();
   if (measured.length === 0) return null;
   const said = measured.filter(({ isOld }) => !isOld), old = measured.length - said.length;
   return (
     <section className="sheet-measured">
       <h2>{t.measured}</h2>
-      <ul>{said.map((each) => <li key={each.measurement.id}>{measurementWords(own, language, each).name}</li>)}</ul>
+      <ul>{said.map((each) => <li key={each.measurement.id}>{measurementWords(own, lengths, each).name}</li>)}</ul>
       {old > 0 && <p className="sheet-small">{t.measuredOld(old)}</p>}
     </section>
   );

@@ -54,12 +54,21 @@ function between(path: Segment, from: number, to: number): Segment {
   return path.kind === "line" ? { kind: "line", from: a, to: b } : { ...path, from: a, to: b };
 }
 
-/** A value along the path, of the moves that are shown. Depth, chip and feed begin at nothing, the cutting speed where it is least. */
-export function drawingAlong(load: PathLoad, of: AlongPath, steps: readonly Step[], shown: (step: number) => boolean): LoadDrawing {
+/**
+ * A value along the path, of the moves that are shown. Depth, chip and feed begin at nothing, the cutting speed where it is least.
+ * `size`: one of what it is told in.
+ */
+export function drawingAlong(
+  load: PathLoad,
+  of: AlongPath,
+  steps: readonly Step[],
+  shown: (step: number) => boolean,
+  size = 1,
+): LoadDrawing {
   const rows = Array.from({ length: load.count }, (_, row) => row).filter((row) => hasLoad(load, of, row));
   const value = (row: number) => load[of][row] ?? 0;
   const most = rows.reduce((high, row) => Math.max(high, value(row)), 0);
-  const scale = scaleOf(of === "speed" ? rows.reduce((low, row) => Math.min(low, value(row)), most) : 0, most);
+  const scale = scaleOf(of === "speed" ? rows.reduce((low, row) => Math.min(low, value(row)), most) : 0, most, size);
   const lines = linesOf(function*() {
     for (const row of rows) {
       const index = load.step[row] ?? -1, step = steps[index];
@@ -71,9 +80,9 @@ export function drawingAlong(load: PathLoad, of: AlongPath, steps: readonly Step
   return { scale, lines };
 }
 
-/** The roughness of the finished surface; where the nose does not tell it, the line has no tone. */
-export function drawingOfSurface(stretches: readonly RoughStretch[]): LoadDrawing {
-  const scale = scaleOf(0, stretches.reduce((high, { rz }) => Math.max(high, rz ?? 0), 0));
+/** The roughness of the finished surface; where the nose does not tell it, the line has no tone. `size`: one of what it is told in, µm. */
+export function drawingOfSurface(stretches: readonly RoughStretch[], size = 1): LoadDrawing {
+  const scale = scaleOf(0, stretches.reduce((high, { rz }) => Math.max(high, rz ?? 0), 0), size);
   const lines = linesOf(function*() {
     for (const { points, rz } of stretches) {
       const segments = points.slice(1).map((to, i): Segment => ({ kind: "line", from: points[i] ?? to, to }));

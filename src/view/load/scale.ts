@@ -15,8 +15,15 @@ export interface Scale {
 /** Without what doubles add to a multiple of a round number. */
 const clean = (value: number) => Number(value.toPrecision(12));
 
-/** At most seven classes of the same round size that hold all from `low` to `high`; one class where all is the same. */
-export function scaleOf(low: number, high: number): Scale {
+/**
+ * At most seven classes of the same size that hold all from `low` to `high`; one class where all is the same. The bounds are round when
+ * they are told in units of `unit`.
+ */
+export function scaleOf(low: number, high: number, unit = 1): Scale {
+  return unit === 1 ? roundScale(low, high) : { bounds: roundScale(low / unit, high / unit).bounds.map((each) => each * unit) };
+}
+
+function roundScale(low: number, high: number): Scale {
   if (!(high > low * (1 + ALIKE)) || !(high > 0)) return { bounds: [clean(low), clean(high)] };
   for (let power = Math.floor(Math.log10((high - low) / SCALE_TONES));; power += 1) {
     for (const nice of NICE) {

@@ -1,0 +1,44 @@
+import { INCH } from "../kernel/units.ts";
+import type { Language } from "./languages.ts";
+import { formatFixed, formatNumber, formatPosition, formatSigned } from "./number.ts";
+
+/** What the numbers of a program count in. */
+export type LengthUnit = "mm" | "inch";
+
+/** Decimals that a length in inches has more than in millimetres, and an area. */
+const MORE = 1, MORE_OF_AREA = 3;
+
+/**
+ * How lengths are told to somebody whose program counts in a unit. They come in mm, areas in mm², feeds in mm; `decimals` are those of
+ * millimetres.
+ */
+export interface Lengths {
+  readonly language: Language;
+  readonly unit: LengthUnit;
+  /** mm in one of the unit. */
+  readonly per: number;
+  readonly number: (mm: number, decimals?: number) => string;
+  readonly fixed: (mm: number, decimals: number) => string;
+  readonly signed: (mm: number) => string;
+  readonly position: (mm: number) => string;
+  readonly area: (mm2: number, decimals: number) => string;
+  readonly fixedArea: (mm2: number, decimals: number) => string;
+  /** A text with units in it, as the program counts: inch for mm, inch² for mm², µin for µm. */
+  readonly words: (text: string) => string;
+}
+
+export function lengthsIn(language: Language, unit: LengthUnit): Lengths {
+  const isInch = unit === "inch", per = isInch ? INCH : 1, more = isInch ? MORE : 0, ofArea = isInch ? MORE_OF_AREA : 0;
+  return {
+    language,
+    unit,
+    per,
+    number: (mm, decimals = 3) => formatNumber(language, mm / per, decimals + more),
+    fixed: (mm, decimals) => formatFixed(language, mm / per, decimals + more),
+    signed: (mm) => formatSigned(language, mm / per, 3 + more),
+    position: (mm) => formatPosition(language, mm / per, 3 + more),
+    area: (mm2, decimals) => formatNumber(language, mm2 / per ** 2, decimals + ofArea),
+    fixedArea: (mm2, decimals) => formatFixed(language, mm2 / per ** 2, decimals + ofArea),
+    words: (text) => (isInch ? text.replace(/\bmm\b/g, unit).replace(/µm\b/g, "µin") : text),
+  };
+}
