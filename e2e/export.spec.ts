@@ -62,7 +62,7 @@ test("the part leaves as bodies and drawings that other programs read, from a cy
   const read = readDxf({ entities }, dxfDefaults);
   expect(read.issues.filter((i) => i.severity === "error")).toEqual([]);
   expect(read.rows.at(-1)?.x).toBe("75");
-  await dialog.getByRole("radio", { name: words.diameter, exact: true }).check();
+  await dialog.getByRole("radio", { name: words.diameter("0.005 mm"), exact: true }).check();
   const across = new DxfParser().parseSync((await save(words.contour, "DXF")).bytes.toString()) as ParsedDxf;
   expect(readDxf(across, { ...dxfDefaults, diameters: true }).rows.at(-1)?.x).toBe("75");
   const svg = (await save(words.contour, "SVG")).bytes.toString();

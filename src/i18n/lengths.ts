@@ -8,6 +8,9 @@ export type LengthUnit = "mm" | "inch";
 /** Decimals that a length in inches has more than in millimetres, and an area. */
 const MORE = 1, MORE_OF_AREA = 3;
 
+/** An inch³ in cm³. */
+const CUBIC_INCH = (INCH / 10) ** 3;
+
 /**
  * How lengths are told to somebody whose program counts in a unit. They come in mm, areas in mm², feeds in mm; `decimals` are those of
  * millimetres.
@@ -23,6 +26,8 @@ export interface Lengths {
   readonly position: (mm: number) => string;
   readonly area: (mm2: number, decimals: number) => string;
   readonly fixedArea: (mm2: number, decimals: number) => string;
+  /** cm³ of a body, with its unit. */
+  readonly volume: (cm3: number) => string;
   /** A text with units in it, as the program counts: inch for mm, inch² for mm², µin for µm. */
   readonly words: (text: string) => string;
 }
@@ -39,6 +44,7 @@ export function lengthsIn(language: Language, unit: LengthUnit): Lengths {
     position: (mm) => formatPosition(language, mm / per, 3 + more),
     area: (mm2, decimals) => formatNumber(language, mm2 / per ** 2, decimals + ofArea),
     fixedArea: (mm2, decimals) => formatFixed(language, mm2 / per ** 2, decimals + ofArea),
+    volume: (cm3) => (isInch ? `${formatNumber(language, cm3 / CUBIC_INCH, 3)} inch³` : `${formatNumber(language, cm3, 2)} cm³`),
     words: (text) => (isInch ? text.replace(/\bmm\b/g, unit).replace(/µm\b/g, "µin") : text),
   };
 }

@@ -1,5 +1,5 @@
 import { part, type Pt, type Segment } from "../kernel/point.ts";
-import { inDegrees, toDiameter } from "../kernel/units.ts";
+import { inDegrees, INCH, toDiameter } from "../kernel/units.ts";
 
 /** Lines and arcs of a drawing, on a layer of their own. */
 export interface DxfLayer {
@@ -26,28 +26,32 @@ function partsOf(s: Segment): readonly Segment[] {
   return [{ ...s, to: middle }, { ...s, from: middle }];
 }
 
-function lineGroups(layer: string, from: Pt, to: Pt, up: (p: Pt) => number): Group[] {
-  return [[0, "LINE"], [8, layer], [10, from.z], [20, up(from)], [30, 0], [11, to.z], [21, up(to)], [31, 0]];
+/** What a drawing counts in: its number in the header, and how many mm one of it is. */
+const COUNTED = { mm: { code: 4, per: 1 }, inch: { code: 1, per: INCH } } as const;
+
+function lineGroups(layer: string, from: Pt, to: Pt, { up, per }: { readonly up: (p: Pt) => number; readonly per: number }): Group[] {
+  return [[0, "LINE"], [8, layer], [10, from.z / per], [20, up(from) / per], [30, 0], [11, to.z / per], [21, up(to) / per], [31, 0]];
 }
 
 /** DXF knows arcs that run counter-clockwise only, by their angles in degrees. */
-function arcGroups(layer: string, s: Extract<Segment, { kind: "arc" }>): Group[] {
+function arcGroups(layer: string, s: Extract<Segment, { kind: "arc" }>, per: number): Group[] {
   const angle = (p: Pt) => (inDegrees(Math.atan2(p.r - s.centre.r, p.z - s.centre.z)) + 360) % 360;
   const [from, to] = s.turn === "ccw" ? [s.from, s.to] : [s.to, s.from];
-  return [[0, "ARC"], [8, layer], [10, s.centre.z], [20, s.centre.r], [30, 0], [40, part.radiusOf(s)], [50, angle(from)], [51, angle(to)]];
+  const round: Group[] = [[10, s.centre.z / per], [20, s.centre.r / per], [30, 0], [40, part.radiusOf(s) / per]];
+  return [[0, "ARC"], [8, layer], ...round, [50, angle(from)], [51, angle(to)]];
 }
 
 /**
- * A drawing in the ASCII form of release 12, which every CAD reads: mm, Z to the right, X up. X is a radius, and arcs are true arcs; or
- * it is a diameter, and arcs become chords within DXF_CHORD. Layer names: capital letters, digits and underscores.
+ * A drawing in the ASCII form of release 12, which every CAD reads: mm or inches, Z to the right, X up. X is a radius, and arcs are true
+ * arcs; or it is a diameter, and arcs become chords within DXF_CHORD. Layer names: capital letters, digits and underscores.
  */
-export function writeDxf(layers: readonly DxfLayer[], diameters: boolean): string {
-  const up = (p: Pt) => (diameters ? toDiameter(p.r) : p.r);
+export function writeDxf(layers: readonly DxfLayer[], diameters: boolean, unit: "mm" | "inch"): string {
+  const up = (p: Pt) => (diameters ? toDiameter(p.r) : p.r), { code, per } = COUNTED[unit];
   const entities = layers.flatMap(({ name, segments }) =>
     segments.flatMap((s): Group[] => {
-      if (s.kind === "arc" && !diameters) return partsOf(s).flatMap((piece) => piece.kind === "arc" ? arcGroups(name, piece) : []);
+      if (s.kind === "arc" && !diameters) return partsOf(s).flatMap((piece) => piece.kind === "arc" ? arcGroups(name, piece, per) : []);
       const points = part.flattened(s, DXF_CHORD);
-      return points.slice(1).flatMap((to, i) => lineGroups(name, points[i] ?? to, to, up));
+      return points.slice(1).flatMap((to, i) => lineGroups(name, points[i] ?? to, to, { up, per }));
     })
   );
   const layerTable = layers.flatMap(({ name }): Group[] => [[0, "LAYER"], [2, name], [70, 0], [62, 7], [6, "CONTINUOUS"]]);
@@ -59,7 +63,7 @@ export function writeDxf(layers: readonly DxfLayer[], diameters: boolean): strin
   ): Group[] => [[0, "TABLE"], [2, name], [70, count], ...groups, [0, "ENDTAB"]];
   const solid: Group[] = [[0, "LTYPE"], [2, "CONTINUOUS"], [70, 0], [3, "Solid line"], [72, 65], [73, 0], [40, 0]];
   return text([
-    ...section("HEADER", [[9, "$ACADVER"], [1, "AC1009"], [9, "$INSUNITS"], [70, 4]]),
+    ...section("HEADER", [[9, "$ACADVER"], [1, "AC1009"], [9, "$INSUNITS"], [70, code]]),
     ...section("TABLES", [...table("LTYPE", 1, solid), ...table("LAYER", layers.length, layerTable)]),
     ...section("ENTITIES", entities),
     [0, "EOF"],

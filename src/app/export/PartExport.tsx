@@ -2,7 +2,7 @@ import { useId, useMemo, useRef, useState } from "react";
 import { loadExport } from "../../i18n/load-export.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { ExportTexts } from "../../i18n/en/export.ts";
-import { writeDxf } from "../../program/write-dxf.ts";
+import { DXF_CHORD, writeDxf } from "../../program/write-dxf.ts";
 import { contourSvg } from "../../view/contour-svg.ts";
 import { bodyStl } from "../../view/solid/export.ts";
 import { showsPlane, useAskedView } from "../approach/shown-view.ts";
@@ -10,8 +10,8 @@ import { downloadBytes, downloadText } from "../files/download.ts";
 import { Icon } from "../Icon.tsx";
 import { playback } from "../playback.ts";
 import { useOutcome, type Outcome } from "../engine/outcome.ts";
+import { useLengths } from "../lengths.ts";
 import { laterTexts } from "../settings/later-texts.ts";
-import { useSettings } from "../settings/settings.ts";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
 import { useModal } from "../use-modal.ts";
 import { BODIES, bodiesOf, contoursOf, drawnTogether, layersOf, turnedMoment, type BodyName, type OfferedBody,
@@ -27,7 +27,7 @@ export function PartExport({ stem, done }: { readonly stem: string; readonly don
 }
 
 function Opened({ words: t, stem, done }: { readonly words: ExportTexts; readonly stem: string; readonly done: () => void }) {
-  const { close } = useFirstTexts().page;
+  const { close } = useFirstTexts().page, lengths = useLengths();
   const { shown, dimmed } = useOutcome();
   const dialog = useRef<HTMLDialogElement>(null);
   const [said, say] = useState("");
@@ -42,7 +42,7 @@ function Opened({ words: t, stem, done }: { readonly words: ExportTexts; readonl
           <Icon name="close" />
         </button>
       </div>
-      <p>{t.lead}</p>
+      <p>{lengths.unit === "mm" ? t.lead : t.leadInches}</p>
       {dimmed && <Warning text={t.older} />}
       {!shown || shown.isBeginning ? <p role="status">{t.beginning}</p> : (
         <>
@@ -69,17 +69,20 @@ interface Part {
 }
 
 function Bodies({ words: t, outcome: { run, simulation }, stem, say }: Part) {
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths(run), { language } = lengths;
   const asked = useAskedView((v) => v.asked), { position: shown } = playback.get();
   const position = useMemo(() => turnedMoment(run, shown, showsPlane(run, asked)), [run, shown, asked]);
   const bodies = useMemo(() => bodiesOf(run, simulation, position), [run, simulation, position]);
   const count = (n: number) => formatNumber(language, n, 0);
-  const hint = (name: BodyName) => name === "stock" ? t.bodyHint.stock(count(position.step), count(run.steps.length)) : t.bodyHint[name];
+  const hint = (name: BodyName, body: OfferedBody) => {
+    if (name === "stock") return t.bodyHint.stock(count(position.step), count(run.steps.length));
+    return "isLeft" in body ? t.bodyHint.left : t.bodyHint[name];
+  };
   const save = (name: BodyName, body: OfferedBody) => {
     if ("lack" in body) return;
     const file = `${stem}_${t.file[name]}.stl`, { bytes, volume, hasRings } = bodyStl(body, `${stem} ${name}`);
     downloadBytes(bytes, file);
-    const saved = t.saved(file, formatNumber(language, volume, 2));
+    const saved = t.saved(file, lengths.volume(volume));
     say(hasRings ? `${saved} ${t.rings}` : saved);
   };
   return (
@@ -92,7 +95,7 @@ function Bodies({ words: t, outcome: { run, simulation }, stem, say }: Part) {
             <li key={name}>
               <div>
                 <b>{t.body[name]}</b>
-                <p className="small soft">{lacks ? t.lack[body.lack] : hint(name)}</p>
+                <p className="small soft">{lacks ? t.lack[body.lack] : hint(name, body)}</p>
               </div>
               <button type="button" className="button" disabled={lacks} aria-label={t.save(t.body[name], "STL")}
                 onClick={() => save(name, body)}
@@ -113,7 +116,7 @@ function Bodies({ words: t, outcome: { run, simulation }, stem, say }: Part) {
 const ALL = "all";
 
 function Contours({ words: t, outcome: { run }, stem, say }: Part) {
-  const group = useId(), contours = useMemo(() => contoursOf(run), [run]);
+  const group = useId(), lengths = useLengths(), contours = useMemo(() => contoursOf(run), [run]);
   const together = drawnTogether(contours);
   const [chosen, choose] = useState<string>(together ? ALL : "0"), [diameters, setDiameters] = useState(false);
   if (contours.length === 0) {
@@ -151,7 +154,7 @@ function Contours({ words: t, outcome: { run }, stem, say }: Part) {
           {([false, true] as const).map((each) => (
             <label key={String(each)}>
               <input type="radio" name={group} checked={diameters === each} onChange={() => setDiameters(each)} />
-              {each ? t.diameter : t.radius}
+              {each ? t.diameter(`${lengths.number(DXF_CHORD)} ${lengths.unit}`) : t.radius}
             </label>
           ))}
         </fieldset>
@@ -159,7 +162,7 @@ function Contours({ words: t, outcome: { run }, stem, say }: Part) {
       <p className="small soft">{isTurned ? `${t.acrossHint} ${t.svgHint}` : t.planeHint}</p>
       <div className="export-ways">
         <button type="button" className="button" aria-label={t.save(t.contour, "DXF")}
-          onClick={() => save(writeDxf(layers, isTurned && diameters), "dxf")}
+          onClick={() => save(writeDxf(layers, isTurned && diameters, run.program.unit), "dxf")}
         >
           <Icon name="download" /> DXF
         </button>

@@ -81,8 +81,15 @@ test("what moves between the cycles face off is not in the finished part", () =>
   expect(volume(plain.bodies.part) - volume(faced.bodies.part)).toBeLessThan(1.03 * disc(25.25, 1.3));
 });
 
+test("a part that no cycle describes is what the moves leave at the end", () => {
+  const { part: left, blank } = made(facing).bodies;
+  expect("isLeft" in left && left.isLeft).toBe(true);
+  expect("isLeft" in made(cycle).bodies.part).toBe(false);
+  expect((volume(blank) - volume(left)) / disc(37.5, 1.3)).toBeCloseTo(1, 1);
+});
+
 test("what is not there says why", () => {
-  expect(made(facing).bodies.part).toEqual({ lack: "noCycle" });
+  expect(made("").bodies.part).toEqual({ lack: "noCycle" });
   const none = run(parse("0 BEGIN PGM V MM\n1 END PGM V MM\n"), { tools: shippedTools, rapid: 8_000 });
   const simulation = simulate({ blank: [], steps: [], operations: [], unproved: [] });
   expect(bodiesOf(none, simulation, { step: 0, fraction: 0 }).stock).toEqual({ lack: "noBlank" });
@@ -90,7 +97,7 @@ test("what is not there says why", () => {
 });
 
 test("the contour of a cycle goes out as DXF and comes in again", () => {
-  const contours = contoursOf(made(cycle + cycle).ran), text = writeDxf(layersOf(contours), false);
+  const contours = contoursOf(made(cycle + cycle).ran), text = writeDxf(layersOf(contours), false, "mm");
   expect(contours.length).toBe(1);
   const { rows } = readDxf(new DxfParser().parseSync(text) as ParsedDxf, dxfDefaults);
   const { segments } = readRows(rows).contour, was = contours[0]?.segments ?? [];
@@ -160,7 +167,7 @@ test("what an approach leads to goes out once, X and Y as they are, apart from w
   const both = contoursOf(made(cycle + milling).ran), milled = both.filter(({ plane }) => plane === "XY");
   expect(both.map(({ plane, cycle: of }) => [plane, of])).toEqual([["ZX", 812], ["XY", null]]);
   expect([drawnTogether(both), drawnTogether(milled)]).toEqual([false, true]);
-  const { entities } = new DxfParser().parseSync(writeDxf(layersOf(milled), false)) as {
+  const { entities } = new DxfParser().parseSync(writeDxf(layersOf(milled), false, "mm")) as {
     readonly entities: readonly { readonly type: string; readonly radius?: number;
       readonly vertices?: readonly { x: number; y: number }[] }[];
   };

@@ -6,7 +6,7 @@ import type { Run } from "../../program/run-types.ts";
 import type { PlayPosition, Simulation } from "../../sim/simulation.ts";
 import { playerOf } from "../../sim/stock.ts";
 import type { Ring } from "../../kernel/point.ts";
-import { finishedBody, isBody, statedSteps, withoutThreads } from "../../view/solid/bodies.ts";
+import { finishedBody, isBody, leftBody, statedSteps, withoutThreads } from "../../view/solid/bodies.ts";
 import type { WrittenBody } from "../../view/solid/export.ts";
 import { runThreads, type ThreadedStock } from "../../view/solid/thread-cuts.ts";
 
@@ -17,7 +17,8 @@ export type BodyName = (typeof BODIES)[number];
 /** Why something is not there to be written. */
 export type ExportLack = "noBlank" | "noTurning" | "nothingLeft" | "noCycle" | "noContour";
 
-export type OfferedBody = WrittenBody | { readonly block: Cuboid } | { readonly lack: ExportLack };
+/** A body to be written; `isLeft`: no cycle says what it should be, it is what the moves leave. */
+export type OfferedBody = WrittenBody & { readonly isLeft?: true } | { readonly block: Cuboid } | { readonly lack: ExportLack };
 
 const offered = (rings: readonly Ring[], lack: ExportLack, threads: ThreadedStock | null = null): OfferedBody =>
   isBody(rings) ? { rings, threads } : { lack };
@@ -25,6 +26,10 @@ const offered = (rings: readonly Ring[], lack: ExportLack, threads: ThreadedStoc
 /** The moment of the lathe that is shown: a milled one has the stock that was turned before it. */
 export function turnedMoment({ plane, steps }: Pick<Run, "plane" | "steps">, position: PlayPosition, showsPlane: boolean): PlayPosition {
   return showsPlane ? { step: plane[Math.min(position.step, plane.length - 1)]?.turned ?? steps.length, fraction: 0 } : position;
+}
+
+function leftPart(rings: readonly Ring[], threads: (rings: readonly Ring[]) => ThreadedStock | null): OfferedBody {
+  return isBody(rings) ? { rings, threads: threads(rings), isLeft: true } : { lack: "noCycle" };
 }
 
 /** The bodies of a run at a position of its playback, or why there is none. */
@@ -41,7 +46,9 @@ export function bodiesOf(run: Run, simulation: Simulation, position: PlayPositio
   const part = finishedBody(simulation, run.operations), stock = player.at(position);
   const end = { step: run.steps.length, fraction: 0 };
   return {
-    part: offered(part, "noCycle", threads?.of(part, end, withoutThreads(simulation, run.operations))),
+    part: isBody(part)
+      ? { rings: part, threads: threads?.of(part, end, withoutThreads(simulation, run.operations)) ?? null }
+      : leftPart(leftBody(simulation), (left) => threads?.of(left, end) ?? null),
     blank: offered(run.blank, "noBlank"),
     stock: offered(stock, "nothingLeft", threads?.of(stock, position)),
   };

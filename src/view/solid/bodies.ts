@@ -56,6 +56,15 @@ export function finishedBody(simulation: Simulation, operations: readonly Simula
   return gone.length === 0 ? ideal : difference(ideal, offset(gone, MISSING / 2 + CHORD));
 }
 
+/**
+ * The part of a program that states no contour: what its moves leave of the blank that is in the chuck at the end. Empty where they take
+ * nothing away.
+ */
+export function leftBody(simulation: Simulation): readonly Ring[] {
+  const { blank } = lastHeld(simulation, []);
+  return areaOf(blank) - areaOf(simulation.final) > SLIVER ? simulation.final : [];
+}
+
 /** The blank that is in the chuck at the end, and what is done to it. */
 function lastHeld(simulation: Simulation, operations: readonly SimulatedOperation[]) {
   const stated = simulation.checkpoints.findLast((mark) => mark.isStated), first = stated?.step ?? 0;
