@@ -1,15 +1,20 @@
 import type { Run } from "../program/run-types.ts";
 import { createContext, useContext, useMemo } from "react";
-import { lengthsIn, type Lengths, type LengthUnit } from "../i18n/lengths.ts";
+import type { Language } from "../i18n/languages.ts";
+import { lengthsIn, type Lengths } from "../i18n/lengths.ts";
+import { IN_MM, type LengthUnit } from "../kernel/units.ts";
 import { useOutcome } from "./engine/outcome.ts";
 import { useSettings } from "./settings/settings.ts";
 
 /** What the program of a picture counts in; where nothing is said, the open work tells it. */
 export const CountedIn = createContext<LengthUnit | null>(null);
 
+/** How lengths are written for a program that counts in a unit. */
+export const lengthsOf = (language: Language, unit: LengthUnit): Lengths => lengthsIn(language, unit, IN_MM[unit]);
+
 /** How lengths are written here: in the screen language, and in the unit of the program that they belong to; `run`: of that one. */
 export function useLengths(run?: Pick<Run, "program">): Lengths {
   const language = useSettings((s) => s.language), around = useContext(CountedIn);
   const open = useOutcome((s) => s.pictured?.run.program.unit ?? "mm"), unit = run?.program.unit ?? around ?? open;
-  return useMemo(() => lengthsIn(language, unit), [language, unit]);
+  return useMemo(() => lengthsOf(language, unit), [language, unit]);
 }

@@ -1,15 +1,12 @@
-import { INCH } from "../kernel/units.ts";
+import type { LengthUnit } from "../kernel/units.ts";
 import type { Language } from "./languages.ts";
 import { formatFixed, formatNumber, formatPosition, formatSigned } from "./number.ts";
-
-/** What the numbers of a program count in. */
-export type LengthUnit = "mm" | "inch";
 
 /** Decimals that a length in inches has more than in millimetres, and an area. */
 const MORE = 1, MORE_OF_AREA = 3;
 
-/** An inch³ in cm³. */
-const CUBIC_INCH = (INCH / 10) ** 3;
+/** mm³ in a cm³. */
+const CUBIC_CM = 1000;
 
 /**
  * How lengths are told to somebody whose program counts in a unit. They come in mm, areas in mm², feeds in mm; `decimals` are those of
@@ -32,8 +29,9 @@ export interface Lengths {
   readonly words: (text: string) => string;
 }
 
-export function lengthsIn(language: Language, unit: LengthUnit): Lengths {
-  const isInch = unit === "inch", per = isInch ? INCH : 1, more = isInch ? MORE : 0, ofArea = isInch ? MORE_OF_AREA : 0;
+/** `per`: mm in one of the unit. */
+export function lengthsIn(language: Language, unit: LengthUnit, per: number): Lengths {
+  const isInch = unit === "inch", more = isInch ? MORE : 0, ofArea = isInch ? MORE_OF_AREA : 0;
   return {
     language,
     unit,
@@ -44,7 +42,7 @@ export function lengthsIn(language: Language, unit: LengthUnit): Lengths {
     position: (mm) => formatPosition(language, mm / per, 3 + more),
     area: (mm2, decimals) => formatNumber(language, mm2 / per ** 2, decimals + ofArea),
     fixedArea: (mm2, decimals) => formatFixed(language, mm2 / per ** 2, decimals + ofArea),
-    volume: (cm3) => (isInch ? `${formatNumber(language, cm3 / CUBIC_INCH, 3)} inch³` : `${formatNumber(language, cm3, 2)} cm³`),
+    volume: (cm3) => (isInch ? `${formatNumber(language, (cm3 * CUBIC_CM) / per ** 3, 3)} inch³` : `${formatNumber(language, cm3, 2)} cm³`),
     words: (text) => (isInch ? text.replace(/\bmm\b/g, unit).replace(/µm\b/g, "µin") : text),
   };
 }

@@ -56,5 +56,8 @@ export const angleUnder = (angle: number) => (Math.ceil(angle * ANGLE_STEPS - SA
 
 /** An inch in mm. */
 export const INCH = 25.4;
+/** What the numbers of a program count in, and how many mm one of it is. */
+export type LengthUnit = "mm" | "inch";
+export const IN_MM: Readonly<Record<LengthUnit, number>> = { mm: 1, inch: INCH };
 /** A length in inches on the grid that a control keeps of it: one decimal more than of millimetres. */
 export const roundedInch = (inches: number) => Math.round(inches * STEPS * 10) / (STEPS * 10);

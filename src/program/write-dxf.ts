@@ -1,5 +1,5 @@
 import { part, type Pt, type Segment } from "../kernel/point.ts";
-import { inDegrees, INCH, toDiameter } from "../kernel/units.ts";
+import { IN_MM, inDegrees, toDiameter, type LengthUnit } from "../kernel/units.ts";
 
 /** Lines and arcs of a drawing, on a layer of their own. */
 export interface DxfLayer {
@@ -26,8 +26,8 @@ function partsOf(s: Segment): readonly Segment[] {
   return [{ ...s, to: middle }, { ...s, from: middle }];
 }
 
-/** What a drawing counts in: its number in the header, and how many mm one of it is. */
-const COUNTED = { mm: { code: 4, per: 1 }, inch: { code: 1, per: INCH } } as const;
+/** What a drawing counts in, as its header says it. */
+const CODES: Readonly<Record<LengthUnit, number>> = { mm: 4, inch: 1 };
 
 function lineGroups(layer: string, from: Pt, to: Pt, { up, per }: { readonly up: (p: Pt) => number; readonly per: number }): Group[] {
   return [[0, "LINE"], [8, layer], [10, from.z / per], [20, up(from) / per], [30, 0], [11, to.z / per], [21, up(to) / per], [31, 0]];
@@ -45,8 +45,8 @@ function arcGroups(layer: string, s: Extract<Segment, { kind: "arc" }>, per: num
  * A drawing in the ASCII form of release 12, which every CAD reads: mm or inches, Z to the right, X up. X is a radius, and arcs are true
  * arcs; or it is a diameter, and arcs become chords within DXF_CHORD. Layer names: capital letters, digits and underscores.
  */
-export function writeDxf(layers: readonly DxfLayer[], diameters: boolean, unit: "mm" | "inch"): string {
-  const up = (p: Pt) => (diameters ? toDiameter(p.r) : p.r), { code, per } = COUNTED[unit];
+export function writeDxf(layers: readonly DxfLayer[], diameters: boolean, unit: LengthUnit): string {
+  const up = (p: Pt) => (diameters ? toDiameter(p.r) : p.r), per = IN_MM[unit];
   const entities = layers.flatMap(({ name, segments }) =>
     segments.flatMap((s): Group[] => {
       if (s.kind === "arc" && !diameters) return partsOf(s).flatMap((piece) => piece.kind === "arc" ? arcGroups(name, piece, per) : []);
@@ -63,7 +63,7 @@ export function writeDxf(layers: readonly DxfLayer[], diameters: boolean, unit: 
   ): Group[] => [[0, "TABLE"], [2, name], [70, count], ...groups, [0, "ENDTAB"]];
   const solid: Group[] = [[0, "LTYPE"], [2, "CONTINUOUS"], [70, 0], [3, "Solid line"], [72, 65], [73, 0], [40, 0]];
   return text([
-    ...section("HEADER", [[9, "$ACADVER"], [1, "AC1009"], [9, "$INSUNITS"], [70, code]]),
+    ...section("HEADER", [[9, "$ACADVER"], [1, "AC1009"], [9, "$INSUNITS"], [70, CODES[unit]]]),
     ...section("TABLES", [...table("LTYPE", 1, solid), ...table("LAYER", layers.length, layerTable)]),
     ...section("ENTITIES", entities),
     [0, "EOF"],

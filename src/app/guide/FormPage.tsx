@@ -1,5 +1,4 @@
 import { useId, useMemo } from "react";
-import { lengthsIn } from "../../i18n/lengths.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { PointName } from "../../kernel/approach.ts";
 import { compensate } from "../../kernel/compensate.ts";
@@ -14,6 +13,7 @@ import { px } from "../../view/help/marks.ts";
 import { approachSpeech } from "../approach/speech.ts";
 import { HelpMarks } from "../help/HelpMarks.tsx";
 import { useIssueText } from "../issue-text.ts";
+import { lengthsOf } from "../lengths.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { formAtValues, namedAt, sizedWords, type FormAtValue, type SizedWord } from "./form-values.ts";
@@ -76,7 +76,7 @@ function FormValue({ word, form, source, frame, size }: CardProps) {
   const places = useGuidePlaces();
   const advice = useAdviceTexts();
   const { approach: words } = useTexts();
-  const language = useSettings((s) => s.language), lengths = useMemo(() => lengthsIn(language, "mm"), [language]);
+  const language = useSettings((s) => s.language), lengths = useMemo(() => lengthsOf(language, "mm"), [language]);
   const issueText = useIssueText();
   const id = useId();
   const { request, result, value, isUsual } = form;

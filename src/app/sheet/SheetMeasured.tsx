@@ -1,11 +1,12 @@
 import { useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
-import { lengthsIn, type Lengths } from "../../i18n/lengths.ts";
+import type { Lengths } from "../../i18n/lengths.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import type { SheetMeasurement } from "../../view/sheet/measured.ts";
 import { measurablePlane } from "../approach/plane-source.ts";
 import { measuredIn } from "../edits.ts";
 import type { Outcome } from "../engine/outcome.ts";
+import { lengthsOf } from "../lengths.ts";
 import { measurementWords, useMeasureTexts } from "../measure/measure-words.ts";
 import { readIn } from "../measure/readings.ts";
 import { measurableRun } from "../measure/source.ts";
@@ -15,7 +16,7 @@ import { useEditor } from "../store.ts";
 /** The sheet is in mm, whatever the program counts in. */
 function useSheetLengths(): Lengths {
   const language = useSettings((s) => s.language);
-  return useMemo(() => lengthsIn(language, "mm"), [language]);
+  return useMemo(() => lengthsOf(language, "mm"), [language]);
 }
 
 const NOTHING: readonly MeasurementNow[] = [];
