@@ -18,11 +18,14 @@ test("badges that would hide one another stand in one row over their places, in 
   expect(new Set(put.map(({ y }) => y)).size).toBe(1);
   expect(put[0]?.y).toBeLessThan(100);
 });
-test("more than fit into a row stand in two, and none lies on another or out of the picture", () => {
+test("where a row cannot hold them neighbours share a badge, and none lies on another or out of the picture", () => {
   const put = badgePlaces(Array.from({ length: 21 }, (_, i) => ({ x: 320 + 3.1 * i, y: 120.4 + i })), seen);
-  expect(new Set(put.map(({ y }) => y)).size).toBe(2);
-  expect(apart(put)).toBeGreaterThanOrEqual(24);
-  for (const { x } of put) expect([x >= 57, x <= 420]).toEqual([true, true]);
+  expect(new Set(put.map(({ y }) => y)).size).toBe(1);
+  const shared = [...new Set(put)];
+  expect(shared.map((at) => put.filter((each) => each === at).length)).toEqual([3, 3, 3, 3, 3, 3, 3]);
+  expect(put.findLastIndex((at) => at === shared[0])).toBe(2);
+  expect(apart(shared)).toBeGreaterThanOrEqual(44);
+  for (const { x } of put) expect([x >= 67, x <= 410]).toEqual([true, true]);
 });
 test("a row stands clear of the badge of another place", () => {
   const put = badgePlaces([{ x: 190.5, y: 97 }, { x: 180, y: 131 }, { x: 183, y: 133 }, { x: 187.2, y: 132 }], seen);

@@ -5,6 +5,8 @@ import type { Seen } from "./edge-mark.ts";
 const ASIDE = { x: 18, y: -18 };
 /** Badges nearer than this would hide one another; half of the badge itself, pixels. */
 const APART = 24, HALF = 11;
+/** Width that one takes which stands for several places, pixels. */
+const SHARED = 44;
 /** A row of badges stands higher over its places by this much for each of them, up to the second, pixels. */
 const RISE = 5, HIGHEST = 40;
 
@@ -28,17 +30,30 @@ function crowdsOf(places: readonly Place[]): Asked[][] {
   return crowds.toSorted((a, b) => a.length - b.length);
 }
 
-/** The badges of a crowd in rows over its places, from left to right as the places lie: so their leaders hardly cross. */
-function rowsOver(crowd: readonly Asked[], seen: Seen): readonly Place[] {
-  const inRow = Math.max(1, Math.floor((seen.right - seen.left) / APART)), rows = Math.ceil(crowd.length / inRow);
+/** The badges of a crowd, from left to right as its places lie: one for each place, or, where no row holds so many, one for neighbours. */
+interface Row {
+  readonly shares: readonly (readonly Asked[])[];
+  /** From badge to badge, pixels. */
+  readonly pitch: number;
+}
+
+function rowOf(crowd: readonly Asked[], { left, right }: Seen): Row {
+  const sorted = crowd.toSorted((a, b) => a.place.x - b.place.x);
+  if (crowd.length * APART <= right - left) return { shares: sorted.map((each) => [each]), pitch: APART };
+  const size = Math.ceil(crowd.length / Math.max(1, Math.floor((right - left) / SHARED)));
+  return {
+    shares: Array.from({ length: Math.ceil(crowd.length / size) }, (_, i) => sorted.slice(i * size, (i + 1) * size)),
+    pitch: SHARED,
+  };
+}
+
+/** Where a row stands: over its places, so that leaders hardly cross. */
+function rowOver({ shares, pitch }: Row, crowd: readonly Asked[], seen: Seen): readonly Place[] {
   const middle = crowd.reduce((sum, { place }) => sum + place.x, 0) / crowd.length + (crowd.length > 1 ? 0 : ASIDE.x);
   const over = Math.min(...crowd.map(({ place }) => place.y)) + ASIDE.y - Math.min(HIGHEST, RISE * (crowd.length - 1));
-  const lowest = crowd.length > 1 ? Math.max(over, seen.top + HALF + (rows - 1) * APART) : over;
-  return crowd.map((_, i) => {
-    const row = i % rows, column = Math.floor(i / rows), wide = (Math.ceil((crowd.length - row) / rows) - 1) * APART;
-    const left = Math.max(seen.left + HALF, Math.min(seen.right - HALF - wide, middle - wide / 2));
-    return { x: left + column * APART, y: lowest - row * APART };
-  });
+  const wide = (shares.length - 1) * pitch, half = pitch / 2 - 1;
+  const left = Math.max(seen.left + half, Math.min(seen.right - half - wide, middle - wide / 2));
+  return shares.map((_, i) => ({ x: left + i * pitch, y: crowd.length > 1 ? Math.max(over, seen.top + HALF) : over }));
 }
 
 /** Columns and rows by which a whole crowd may be shifted, the nearest first: rather to a side than down on the work. */
@@ -52,25 +67,26 @@ function seemsFar({ x, y }: Place): number {
 }
 
 /**
- * The middle of the badge of each place: beside it, or, where badges would hide one another, in a row over their places. Nothing stands
- * on what stands there already, nor out of what is seen, as long as there is room above or below.
+ * The middle of the badge of each place: beside it, or, where badges would hide one another, in a row over their places, in which
+ * neighbours share one where it would be too long. Nothing stands on what stands there already, nor out of what is seen, as long as there
+ * is room above or below.
  */
 export function badgePlaces(places: readonly Place[], seen: Seen): readonly Place[] {
-  const put: Place[] = [], found: Place[] = places.map(({ x, y }) => ({ x: x + ASIDE.x, y: y + ASIDE.y }));
+  const put: (Place & { readonly pitch: number })[] = [], found: Place[] = places.map(({ x, y }) => ({ x: x + ASIDE.x, y: y + ASIDE.y }));
   for (const crowd of crowdsOf(places)) {
-    const sorted = crowd.toSorted((a, b) => a.place.x - b.place.x), first = rowsOver(sorted, seen);
+    const { shares, pitch } = rowOf(crowd, seen), first = rowOver({ shares, pitch }, crowd, seen);
     const shifted = (by: Place) => first.map(({ x, y }) => ({ x: x + by.x * APART, y: y + by.y * APART }));
     const isFree = (row: readonly Place[]) =>
       row.every((at) =>
         at.x - HALF >= seen.left && at.x + HALF <= seen.right && at.y - HALF >= seen.top && at.y + HALF <= seen.bottom
-        && !put.some((other) => near(other, at))
+        && !put.some((other) => Math.abs(other.x - at.x) < (other.pitch + pitch) / 2 && Math.abs(other.y - at.y) < APART)
       );
     const by = SHIFTS.find((each) => isFree(shifted(each))) ?? { x: 0, y: 0 }, row = shifted(by);
-    sorted.forEach(({ index }, i) => {
+    shares.forEach((each, i) => {
       const at = row[i];
       if (!at) return;
-      found[index] = at;
-      put.push(at);
+      for (const { index } of each) found[index] = at;
+      put.push({ ...at, pitch });
     });
   }
   return found;

@@ -31,19 +31,33 @@ export function badgesOf(places: readonly LookAt[], { at: seenAt, size }: Seeing
   return put.map((each, i) => ({ ...each, left: badges[i]?.x ?? each.at.x, top: badges[i]?.y ?? each.at.y }));
 }
 
+/** One of each row of badges that stand at the same spot, the chosen one before others, and how many more it stands for. */
+function sharedBadges(badges: readonly Badge[], chosen: LookAt | null): readonly (Badge & { readonly more: number })[] {
+  const spots = new Map<string, Badge[]>();
+  for (const badge of badges) {
+    const key = `${badge.left} ${badge.top}`, known = spots.get(key);
+    if (known) known.push(badge);
+    else spots.set(key, [badge]);
+  }
+  return [...spots.values()].flatMap((all) => {
+    const first = all.find(({ place }) => place.id === chosen?.id) ?? all[0];
+    return first ? [{ ...first, more: all.length - 1 }] : [];
+  });
+}
+
 /** The mark of each place in the picture: a number in a circle, a letter in a square. */
 export function PlaceButtons({ seeing, places, chosen, choose }: { readonly seeing: Seeing; readonly places: readonly LookAt[];
   readonly chosen: LookAt | null; readonly choose: (place: LookAt | null) => void })
 {
   return (
     <>
-      {badgesOf(places, useSeeing(seeing)).map(({ place: each, left, top }) => {
-        const on = chosen?.id === each.id;
+      {sharedBadges(badgesOf(places, useSeeing(seeing)), chosen).map(({ place: each, left, top, more }) => {
+        const on = chosen?.id === each.id, mark = more > 0 ? `${each.mark}+${more}` : each.mark;
         return (
           <button key={each.id} type="button" className={`lathe-place badge badge-${each.kind}`} style={{ left, top }} title={each.line}
-            aria-label={`${each.mark}: ${each.line}`} aria-pressed={on} onClick={() => choose(on ? null : each)}
+            aria-label={`${mark}: ${each.line}`} aria-pressed={on} onClick={() => choose(on ? null : each)}
           >
-            {each.mark}
+            {mark}
           </button>
         );
       })}

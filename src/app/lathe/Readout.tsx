@@ -30,7 +30,7 @@ export function Readout({ run, playback, chipAt }: { readonly run: Run; readonly
   const group = useSaid(playback, moment, textOfCell);
   const names = { x: t.axisX, z: t.axisZ, feed: t.feedName, speed: t.speedName };
   return (
-    <div ref={group} className="lathe-readout" role="group" aria-label={t.now}>
+    <div ref={group} className="lathe-readout" data-counts={lengths.unit} role="group" aria-label={t.now}>
       <dl className="number">
         {FIELDS.map((key) => (
           <div key={key} className={`readout-${key}`}>
