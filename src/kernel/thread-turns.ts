@@ -8,6 +8,15 @@ export type ThreadMove = Extract<Move, { kind: "thread" }>;
 /** Turns of the spindle in a thread move that begins at `from`. */
 export const turnsIn = (from: Pt, move: ThreadMove): number => Math.abs(move.to[move.axis] - from[move.axis]) / move.pitch;
 
+/** 1: a right-handed thread, −1: a left-handed one. */
+export type ThreadHand = 1 | -1;
+
+/**
+ * The hand of what a thread move cuts. M3 turns the work clockwise as seen from the headstock: a feed to it cuts a right-handed thread,
+ * one away from it a left-handed one; with the spindle turning backwards it is the other way round.
+ */
+export const handOf = (from: Pt, { to }: ThreadMove, backwards: boolean): ThreadHand => (to.z > from.z === backwards ? 1 : -1);
+
 /** A place on the way of a thread move, as a fraction of it. */
 export interface Stamp {
   readonly fraction: number;

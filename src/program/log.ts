@@ -116,9 +116,10 @@ export class Log {
   }
 
   /** Notes how the spindle turns at the step that comes next. */
-  turnsAt(spindle: Spindle | null): void {
-    const last = this.spindles.at(-1);
-    if (last ? last.spindle !== spindle : spindle) this.spindles.push({ step: this.steps.length, spindle });
+  turnsAt(spindle: Spindle | null, backwards: boolean): void {
+    const last = this.spindles.at(-1), turnsBack = last?.backwards ?? false;
+    if ((last?.spindle ?? null) === spindle && turnsBack === backwards) return;
+    this.spindles.push({ step: this.steps.length, spindle, ...(backwards && { backwards }) });
   }
 
   /** Where a block stands in the text that it is from. */

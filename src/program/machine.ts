@@ -284,7 +284,7 @@ export class Machine {
     const [first, ...others] = steps;
     if (!first) return;
     this.log.countsFrom(this.now.datum.x, this.now.datum.z);
-    this.log.turnsAt(this.now.spindle);
+    this.log.turnsAt(this.now.spindle, this.now.backwards);
     const { brought } = this.place;
     this.log.steps.push(brought === null ? first : { ...first, broughtBy: this.log.numbers[brought] ?? 0 });
     for (const step of others) this.log.steps.push(step);

@@ -120,6 +120,8 @@ export interface Modal {
   readonly spindle: Spindle | null;
   /** An M function has started it, or may have. */
   readonly turns: boolean;
+  /** It turns the other way round: M4 and its like. */
+  readonly backwards: boolean;
   readonly tool: Tool | null;
   /** True when a TOOL CALL named a tool that can not be used: that has been told. */
   readonly toolRefused: boolean;
@@ -163,6 +165,7 @@ export const AT_START: Modal = {
   perRevolution: false,
   spindle: null,
   turns: false,
+  backwards: false,
   tool: null,
   toolRefused: false,
   pole: null,

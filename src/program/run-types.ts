@@ -89,8 +89,8 @@ export interface Run {
   readonly approaches: readonly ApproachRun[];
   /** Where a turning program counts from, from a step on, in the order of the steps; empty when that is the workpiece zero throughout. */
   readonly datums: readonly { readonly step: number; readonly at: Pt }[];
-  /** How the spindle turns, from a step on, in the order of the steps; null until a speed was programmed. */
-  readonly spindles: readonly { readonly step: number; readonly spindle: Spindle | null }[];
+  /** How the spindle turns, from a step on, in the order of the steps; null until a speed was programmed. M4 turns it backwards. */
+  readonly spindles: readonly { readonly step: number; readonly spindle: Spindle | null; readonly backwards?: true }[];
   /** What was not simulated though it can move the path or the stock, in the order it was met. */
   readonly unproved: readonly Unproved[];
   /** All findings in the order of the text, those of operations included. */

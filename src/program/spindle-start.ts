@@ -4,6 +4,8 @@ import type { Machine } from "./machine.ts";
 
 /** M functions that start a spindle: those of every control, with coolant or without, and those of the turning spindle. */
 const START: readonly number[] = [3, 4, 13, 14, 303, 304];
+/** Those of them that start it the other way round. What a machine has of its own counts as forwards. */
+const BACKWARDS: readonly number[] = [4, 14, 304];
 /** M functions that stop it. */
 export const STOPS_SPINDLE: readonly number[] = [5, 305];
 /** M functions of the control that start nothing. What is not among them is the machine's own, and may. */
@@ -16,7 +18,8 @@ const mayStart = (m: number) =>
 
 /** What the M functions of a block start as it begins. */
 export function startedBy(machine: Machine, { functions }: Words): void {
-  if (functions.some(mayStart)) machine.set({ turns: true });
+  const last = functions.findLast(mayStart);
+  if (last !== undefined) machine.set({ turns: true, backwards: BACKWARDS.includes(last) });
 }
 
 /** What they stop at its end. */

@@ -42,7 +42,10 @@ export function bodiesOf(run: Run, simulation: Simulation, position: PlayPositio
     const none = { lack: "noBlank" } as const;
     return { part: none, blank: none, stock: none };
   }
-  const player = playerOf(simulation), threads = runThreads(run.steps, player.at, statedSteps(simulation));
+  const player = playerOf(simulation), threads = runThreads(run.steps, player.at, {
+    stated: statedSteps(simulation),
+    spindles: run.spindles,
+  });
   const part = finishedBody(simulation, run.operations), stock = player.at(position);
   const end = { step: run.steps.length, fraction: 0 };
   return {

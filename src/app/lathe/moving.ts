@@ -4,7 +4,7 @@ import type { Tool } from "../../kernel/tool.ts";
 import type { Chip } from "../../sim/chip/chip.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Run } from "../../program/run-types.ts";
-import { spindleAt } from "../../sim/load/spindles.ts";
+import { spindleAt, turnsBack } from "../../sim/load/spindles.ts";
 import type { PaintedRun } from "../../view/material/stock-painter.ts";
 import { surfacesOf, type Surfaces } from "../../view/material/surfaces.ts";
 import type { PlaybackStore } from "./playback-store.ts";
@@ -29,4 +29,5 @@ export interface Waiting {
 export const stepIndex = (steps: readonly Step[], position: PlayPosition): number => Math.min(position.step, steps.length - 1);
 
 /** What made the surfaces of a run, with its spindle for feeds per minute. */
-export const surfacesOfRun = ({ steps, spindles }: Run): Surfaces => surfacesOf(steps, (step) => spindleAt(spindles, step));
+export const surfacesOfRun = ({ steps, spindles }: Run): Surfaces =>
+  surfacesOf(steps, (step) => spindleAt(spindles, step), (step) => turnsBack(spindles, step));

@@ -28,6 +28,7 @@ export function useSolid({ run, shown, moving, waiting, measures }: { readonly r
         simulation: shown?.run === run ? shown.simulation : null,
         blank: waiting?.blank.length ? waiting.blank : run.blank,
         steps: run.steps,
+        spindles: run.spindles,
         contours: run.operations.map((o) => o.plan.contour),
       }
       : null, [asked, run, shown, moving, waiting]);

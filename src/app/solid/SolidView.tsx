@@ -16,7 +16,7 @@ import { laterTexts } from "../settings/later-texts.ts";
 import { changeSettings, useSettings } from "../settings/settings.ts";
 import { createEye, seenInSpace, type Eye } from "./eye.ts";
 import { listenToHands } from "./hands.ts";
-import { createShow, type Show, type ShownWork } from "./show.ts";
+import { createShow, NOTHING_TOLD, type Show, type ShownWork, type SolidTold } from "./show.ts";
 import type { StageLines } from "./path-stage.ts";
 import { createStage, STAGE_COLOURS, type SolidStage } from "./stage.ts";
 import "./solid.css";
@@ -38,7 +38,7 @@ interface Props {
   readonly places: readonly LookAt[];
   readonly chosen: LookAt | null;
   readonly choose: (place: LookAt | null) => void;
-  /** Told what zooms the view once it is drawn, and null where the section has to take its place. */
+  /** SolidTold what zooms the view once it is drawn, and null where the section has to take its place. */
   readonly onDrawn: (drawn: Zooming | null) => void;
 }
 
@@ -60,7 +60,7 @@ interface Running {
 function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
   const field = useRef<HTMLDivElement>(null), canvas = useRef<HTMLCanvasElement>(null);
   const [running, run] = useState<Running | null>(null);
-  const [rings, setRings] = useState(false);
+  const [told, tell] = useState(NOTHING_TOLD);
   useEffect(() => {
     const [element, drawn] = [field.current, canvas.current];
     const stage = drawn && createStage(drawn);
@@ -68,7 +68,7 @@ function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
       setTrouble("missing");
       return undefined;
     }
-    const eye = createEye(clock, () => reducedMotion(useSettings.getState())), show = createShow(stage, eye, clock, setRings);
+    const eye = createEye(clock, () => reducedMotion(useSettings.getState())), show = createShow(stage, eye, clock, tell);
     const measure = () => {
       const { clientWidth: width, clientHeight: height } = element;
       const buttons = element.querySelector<HTMLElement>(".solid-views");
@@ -97,7 +97,7 @@ function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
       stage.dispose();
     };
   }, [clock, setTrouble]);
-  return { field, canvas, running, rings };
+  return { field, canvas, running, told };
 }
 
 /** Path and colours as lines in space: where something is told by colour, the path lies faint under it. */
@@ -113,13 +113,30 @@ function useLines(run: Run, shown: (step: number) => boolean): readonly StageLin
   );
 }
 
+/** What is to be said of the picture itself: what its surfaces stand for, and what is not as in the shop. */
+function Notes({ told: { textures, rings, leftHanded }, milled, noBlank, t }: { readonly told: SolidTold; readonly milled: boolean;
+  readonly noBlank: boolean; readonly t: SolidTexts })
+{
+  const said = [noBlank && t.noBlank, milled && t.milled, rings && t.threads, leftHanded && t.left].filter((each) => each !== false);
+  return (
+    <div className="solid-notes small soft">
+      {textures.length > 1 && (
+        <ul className="solid-surfaces" aria-label={t.surfaces}>
+          {textures.map((texture) => <li key={texture} className={`solid-${texture}`}>{t.textures[texture]}</li>)}
+        </ul>
+      )}
+      {said.map((each) => <p key={each}>{each}</p>)}
+    </div>
+  );
+}
+
 function Tried({ work, run, lines: shown, state, clock, places, chosen, choose, onDrawn, t, again }: Props & { readonly t: SolidTexts;
   readonly again: () => void })
 {
   const keys = useId(), theme = useTheme();
   const { quarterCut, xDown } = useSettings();
   const [trouble, setTrouble] = useState<Trouble>(null);
-  const { field, canvas, running, rings } = useRunning(clock, setTrouble);
+  const { field, canvas, running, told } = useRunning(clock, setTrouble);
   useEffect(() => running?.stage.setColours(pageColours(STAGE_COLOURS)), [running, theme]);
   useEffect(() => running?.show.setLook({ quarterCut, xDown }), [running, quarterCut, xDown, theme]);
   useEffect(() => running?.show.setWork(work), [running, work]);
@@ -139,6 +156,7 @@ function Tried({ work, run, lines: shown, state, clock, places, chosen, choose, 
       >
         <canvas ref={canvas} role="img" aria-label={t.picture(quarterCut, state)} />
         <p id={keys} className="unseen">{t.keys}</p>
+        <Notes told={told} milled={run.plane.length > 0} noBlank={work.blank.length === 0} t={t} />
         {seeing && (
           <>
             <svg className="solid-marks" aria-hidden="true">
@@ -148,7 +166,6 @@ function Tried({ work, run, lines: shown, state, clock, places, chosen, choose, 
             <PlaceButtons seeing={seeing} places={places} chosen={chosen} choose={choose} />
           </>
         )}
-        {rings && <p className="solid-note small soft">{t.threads}</p>}
         <div className="solid-views" role="group" aria-label={t.views}>
           <button type="button" className="button" aria-label={t.quarter} title={t.quarter} aria-pressed={quarterCut}
             onClick={() => changeSettings({ quarterCut: !quarterCut })}

@@ -19,7 +19,8 @@ export interface Eye {
   /** Near to a box of the half plane, from the side from which it looks; `down`: X grows downwards. */
   readonly show: (bounds: Bounds, down: boolean) => void;
   readonly setSize: (size: Size) => void;
-  readonly setBounds: (bounds: Bounds) => void;
+  /** What there is to be seen; `isFlat`: no body, only lines in the plane in which the tool works. */
+  readonly setBounds: (bounds: Bounds, isFlat?: boolean) => void;
   /** Ends a movement that is under way. */
   readonly end: () => void;
 }
@@ -34,9 +35,11 @@ const isSame = (a: Bounds, b: Bounds) => a.left === b.left && a.right === b.righ
 export function createEye(clock: Clock, still: () => boolean): Eye {
   let size: Size = { width: 640, height: 400 };
   let bounds = START;
+  let flat = false;
   let byHand = false;
   let name: NamedView = "iso";
-  let orbit = namedView(name, bounds, size);
+  const named = () => namedView(name, bounds, size, flat);
+  let orbit = named();
   let stop: (() => void) | null = null;
   const listeners = new Set<() => void>();
   const set = (next: Orbit) => {
@@ -64,10 +67,10 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
     };
     stop = clock.frame(picture);
   };
-  const fly = () => flyTo(namedView(name, bounds, size), false);
+  const fly = () => flyTo(named(), false);
   const refit = () => {
     end();
-    set(byHand ? { ...orbit } : namedView(name, bounds, size));
+    set(byHand ? { ...orbit } : named());
   };
 
   return {
@@ -91,9 +94,9 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
       size = next;
       refit();
     },
-    setBounds(next) {
-      if (isSame(next, bounds)) return;
-      bounds = next;
+    setBounds(next, isFlat = false) {
+      if (isSame(next, bounds) && isFlat === flat) return;
+      [bounds, flat] = [next, isFlat];
       refit();
     },
     end,

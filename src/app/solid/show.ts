@@ -1,15 +1,18 @@
 import type { Ring, Segment } from "../../kernel/point.ts";
 import type { Step } from "../../kernel/step.ts";
 import type { Tool } from "../../kernel/tool.ts";
+import type { SpindleFrom } from "../../sim/load/spindles.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { boundsOf, joined } from "../../view/bounds.ts";
 import type { Bounds, Size } from "../../view/camera.ts";
 import { statedSteps } from "../../view/solid/bodies.ts";
+import { finishOf } from "../../view/solid/finish.ts";
 import { chuckParts, toolParts } from "../../view/solid/furniture.ts";
 import { bodiesAt } from "../../view/solid/moment.ts";
 import { chordsFor } from "../../view/solid/revolve.ts";
 import type { ThreadTurning } from "../../view/solid/threaded.ts";
 import { runThreads, type RunThreads } from "../../view/solid/thread-cuts.ts";
+import { UNTOUCHED, type Texture } from "../../view/material/surfaces.ts";
 import { tipAt } from "../../view/tip.ts";
 import { stopwatch, type Clock } from "../clock.ts";
 import { stepIndex, type Moving, type Waiting } from "../lathe/moving.ts";
@@ -25,8 +28,18 @@ export interface ShownWork {
   readonly waiting: Waiting | null;
   readonly blank: readonly Ring[];
   readonly steps: readonly Step[];
+  readonly spindles: readonly SpindleFrom[];
   readonly contours: readonly (readonly Segment[])[];
 }
+
+/** What is to be said of what is seen. */
+export interface SolidTold {
+  /** Threads are drawn as rings, because they cannot be drawn as helices. */
+  readonly rings: boolean;
+  readonly leftHanded: boolean;
+  readonly textures: readonly Texture[];
+}
+export const NOTHING_TOLD: SolidTold = { rings: false, leftHanded: false, textures: [] };
 
 /** Brings work and eye onto a stage, and draws only when something has changed. */
 export interface Show {
@@ -60,12 +73,15 @@ const THREAD = { within: 0.015, resting: 90_000, playing: 30_000 } as const;
 
 const nothingMoves = (): readonly Ring[] => [];
 
-/** `onRings` is told whether threads are drawn as rings, because they cannot be drawn as helices. */
-export function createShow(stage: SolidStage, eye: Eye, clock: Clock, onRings: (areRings: boolean) => void): Show {
+const isSameTold = (a: SolidTold, b: SolidTold) =>
+  a.rings === b.rings && a.leftHanded === b.leftHanded && a.textures.join() === b.textures.join();
+
+/** `tell` hears what is to be said of what is seen, whenever that changes. */
+export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (told: SolidTold) => void): Show {
   let work: ShownWork | null = null;
   let threads: RunThreads | null = null;
   let [quarterCut, xDown] = [true, false];
-  let box: Bounds | null = null;
+  let [box, seen]: [Bounds | null, Bounds | null] = [null, null];
   let [drawnRings, drawnKey, drawnTool]: [readonly Ring[], string, Tool | null] = [[], "", null];
   let [builtAt, cost] = [-Infinity, 0];
   let canvas: { readonly size: Size; readonly below: number } = { size: eye.size(), below: 0 };
@@ -73,6 +89,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, onRings: (
   let [coarse, learned, slow, soon] = [1, 1, 0, 0];
   let [askedAt, lastPicture] = [0, 0];
   let resting: ReturnType<typeof setTimeout> | undefined;
+  let told = NOTHING_TOLD;
   let heard: (() => void)[] = [];
 
   const playing = () => work?.moving?.playback.get().playing ?? false;
@@ -98,13 +115,15 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, onRings: (
     const high = box?.high ?? 1, chords = playing() ? Math.min(QUICK, chordsFor(high)) : chordsFor(high);
     const faults = simulation?.findings.filter((f) => f.step < position.step || (f.step === position.step && position.fraction > 0)).length
       ?? 0;
-    const key = [chords, quarterCut, xDown, faults, position.step >= work.steps.length].join();
+    const key = [chords, quarterCut, xDown, faults, position.step >= work.steps.length, playing() || position.step].join();
     if (rings !== drawnRings || key !== drawnKey) {
       const size = box ? Math.max(box.right - box.left, box.high) : 1;
       const moment = { stock: rings, simulation: moving && simulation, threads, position, size };
-      const { bodies, hasRings } = bodiesAt(moment, threading(chords));
+      const finish = finishOf(rings, moving?.surfaces ?? UNTOUCHED, position);
+      const { bodies, hasRings, hasLeft } = bodiesAt(moment, { ...threading(chords), finish });
       stage.setBodies(bodies);
-      onRings(hasRings);
+      const now: SolidTold = { rings: hasRings, leftHanded: hasLeft, textures: finish.textures };
+      if (!isSameTold(now, told)) tell(told = now);
       [drawnRings, drawnKey] = [rings, key];
     }
   }
@@ -168,6 +187,12 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, onRings: (
     askedAt = stopwatch();
     asked = clock.frame(picture);
   }
+  /** Brings what is there to the eye: a body all round, or lines on the side on which the tool works. */
+  function fit(): void {
+    if (!seen) return;
+    const isFlat = work?.blank.length === 0;
+    eye.setBounds(isFlat && xDown ? { ...seen, low: -seen.high, high: -seen.low } : seen, isFlat);
+  }
   const changeWork = () => {
     changed = true;
     ask();
@@ -179,13 +204,17 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, onRings: (
       for (const stop of heard) stop();
       work = next;
       const { moving, simulation } = next;
-      threads = moving && simulation ? runThreads(next.steps, moving.stockAt, statedSteps(simulation)) : null;
+      threads = moving && simulation
+        ? runThreads(next.steps, moving.stockAt, { stated: statedSteps(simulation), spindles: next.spindles })
+        : null;
       [drawnRings, drawnKey] = [[], ""];
       const chuck = chuckParts(next.blank, next.steps, next.contours);
       stage.setChuck(chuck?.parts ?? []);
       box = joined(boundsOf(next.blank.flat()), boundsOf(next.contours.flat().flatMap((s) => [s.from, s.to])));
-      const seen = joined(box, chuck?.seen ?? null);
-      if (seen) eye.setBounds(seen);
+      const isFlat = next.blank.length === 0;
+      if (isFlat) box = joined(box, boundsOf(next.steps.flatMap(({ from, move }) => (move.kind === "rapid" ? [] : [from, move.to]))));
+      seen = joined(box, chuck?.seen ?? null);
+      fit();
       heard = next.moving ? [next.moving.playback.subscribe(changeWork)] : [];
       changeWork();
     },
@@ -196,6 +225,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, onRings: (
     setLook(look) {
       [quarterCut, xDown] = [look.quarterCut, look.xDown];
       stage.turnOver(look.xDown);
+      fit();
       changeWork();
     },
     setSize(size, below) {

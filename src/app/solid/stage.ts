@@ -7,6 +7,7 @@ import type { Mesh } from "../../view/solid/mesh.ts";
 import { eyeOf, FIELD, pixelAt, type Orbit } from "../../view/solid/orbit.ts";
 import type { MomentBody } from "../../view/solid/moment.ts";
 import { createChipStage } from "./chip-stage.ts";
+import { finishedSteel, LOOKS_ATTRIBUTE } from "./finish-material.ts";
 import { createPathStage, LINE_COLOURS, type StageLines } from "./path-stage.ts";
 import { hatched } from "./section-material.ts";
 
@@ -14,6 +15,8 @@ import { hatched } from "./section-material.ts";
 export const STAGE_COLOURS = {
   material: "--material",
   hatch: "--material-hatch",
+  steelDark: "--steel-dark",
+  steelLight: "--steel-light",
   line: "--contour",
   surface: "--surface",
   chuck: "--line",
@@ -54,11 +57,12 @@ const HATCH = 8;
 /** One light from over the operator's left shoulder, and what comes from all sides: together a face square to it has its colour. */
 const LIGHT = { key: 0.75 * Math.PI, around: 0.5 * Math.PI } as const;
 
-function geometryOf({ positions, normals, index }: Mesh): BufferGeometry {
+function geometryOf({ positions, normals, index, looks }: Mesh): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(positions, 3));
   geometry.setAttribute("normal", new BufferAttribute(normals, 3));
   geometry.setIndex(new BufferAttribute(index, 1));
+  if (looks) geometry.setAttribute(LOOKS_ATTRIBUTE, new BufferAttribute(looks, 2));
   return geometry;
 }
 
@@ -91,8 +95,9 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
   world.add(work, chuck, tool, chip.group, path.group);
   space.add(world, camera, new AmbientLight(0xffffff, LIGHT.around));
 
+  const steel = finishedSteel();
   const surfaces = {
-    steel: shaded(28, 0x2a2a2a),
+    steel: steel.material,
     residual: shaded(8, 0x111111),
     gouge: shaded(8, 0x111111),
     chuck: shaded(12, 0x111111),
@@ -129,7 +134,7 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       camera.setViewOffset(width, seen, 0, 0, width, height);
     },
     setColours(c) {
-      surfaces.steel.color.set(c.material);
+      steel.colours({ steel: c.material, dark: c.steelDark, light: c.steelLight, line: c.line });
       surfaces.residual.color.set(c.residual);
       surfaces.gouge.color.set(c.danger);
       surfaces.chuck.color.set(c.chuck);

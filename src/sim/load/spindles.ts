@@ -6,18 +6,25 @@ import { speedAt } from "../../kernel/time.ts";
 export interface SpindleFrom {
   readonly step: number;
   readonly spindle: Spindle | null;
+  /** The other way round than M3 turns it. */
+  readonly backwards?: true;
 }
 
-/** How the spindle turns at a step. */
-export function spindleAt(spindles: readonly SpindleFrom[], step: number): Spindle | null {
+function entryAt(spindles: readonly SpindleFrom[], step: number): SpindleFrom | undefined {
   let [low, high] = [0, spindles.length];
   while (low < high) {
     const middle = (low + high) >> 1;
     if ((spindles[middle]?.step ?? 0) <= step) low = middle + 1;
     else high = middle;
   }
-  return spindles[low - 1]?.spindle ?? null;
+  return spindles[low - 1];
 }
+
+/** How the spindle turns at a step. */
+export const spindleAt = (spindles: readonly SpindleFrom[], step: number): Spindle | null => entryAt(spindles, step)?.spindle ?? null;
+
+/** Whether it turns the other way round than M3 turns it. */
+export const turnsBack = (spindles: readonly SpindleFrom[], step: number): boolean => entryAt(spindles, step)?.backwards ?? false;
 
 /** Spindle speed, rpm, at `r` mm from the axis; not a number where none is known, or none is fast enough. */
 export function rpmAt(spindle: Spindle | null, r: number): number {

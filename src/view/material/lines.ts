@@ -82,7 +82,7 @@ export function turnsInside({ corners }: Boundary, { left, width, gaps }: Column
 export const FEED_LINES = { none: 3, full: 9 } as const;
 
 /** An edge lies along the way of its move when its direction differs by less than this, radians. */
-const ALONG = 0.02;
+export const FEED_ALONG = 0.02;
 
 /** Feed lines of one strength 0 … 1. */
 export interface FeedLines {
@@ -99,7 +99,7 @@ export function feedLines({ edges }: Boundary, seen: readonly SeenEdge[], scale:
     const made = edges[edge]?.made;
     const length = Math.hypot(z1 - z0, r1 - r0);
     if (made?.texture !== "rough" || !(made.pitch > 0) || !(length > 0)) return [];
-    if (Math.abs(made.way[0] * (r1 - r0) - made.way[1] * (z1 - z0)) > ALONG * length) return [];
+    if (Math.abs(made.way[0] * (r1 - r0) - made.way[1] * (z1 - z0)) > FEED_ALONG * length) return [];
     const apart = (made.pitch * (z1 - z0)) / length;
     const strength = Math.min(1, (apart * scale - FEED_LINES.none) / (FEED_LINES.full - FEED_LINES.none));
     if (!(strength > 0)) return [];

@@ -1,6 +1,7 @@
 import { isDrill } from "../../kernel/drill.ts";
 import { noseRadius } from "../../kernel/insert.ts";
 import type { Spindle, Step } from "../../kernel/step.ts";
+import { handOf, type ThreadHand } from "../../kernel/thread-turns.ts";
 import { GRID, SAME } from "../../kernel/tolerance.ts";
 import { ROUGH_RZ, rzByRule } from "../../sim/load/cusp.ts";
 import { feedPerTurn, rpmAt } from "../../sim/load/spindles.ts";
@@ -21,6 +22,8 @@ export interface Maker {
   readonly from: number;
   /** The direction of its way, as a vector of length 1: what its flank left beside that has no marks. */
   readonly way: readonly [z: number, r: number];
+  /** Of a thread: left-handed ones are told. */
+  readonly hand: ThreadHand;
 }
 
 /** A straight piece of the boundary of the stock, in the direction of its ring, mm. */
@@ -45,7 +48,7 @@ export interface Surfaces {
   readonly lead: (now: PlayPosition) => number;
 }
 
-const RAW: Maker = { texture: "raw", step: -1, pitch: 0, from: 0, way: [0, 0] };
+const RAW: Maker = { texture: "raw", step: -1, pitch: 0, from: 0, way: [0, 0], hand: 1 };
 
 /** Sides shorter than this were made by one move, mm. */
 const ONE = 0.3;
@@ -99,11 +102,18 @@ const keyOf = ({ z0, r0, z1, r1 }: StockSide): number => {
 };
 const isSame = (a: StockSide, b: StockSide) => a.z0 === b.z0 && a.r0 === b.r0 && a.z1 === b.z1 && a.r1 === b.r1;
 
+const handOfStep = ({ move, from }: Step, backwards: boolean): ThreadHand => (move.kind === "thread" ? handOf(from, move, backwards) : 1);
+
 /**
  * Builds what tells the surfaces of a run. A stretch was made by the latest cutting move whose sweep has it on its edge: what a finishing
- * cut runs along is finished, though it took nothing there. `spindleOf` turns feeds per minute into feeds per turn.
+ * cut runs along is finished, though it took nothing there. `spindleOf` turns feeds per minute into feeds per turn,
+ * `isBackwards` tells the hand of threads.
  */
-export function surfacesOf(steps: readonly Step[], spindleOf: (step: number) => Spindle | null = () => null): Surfaces {
+export function surfacesOf(
+  steps: readonly Step[],
+  spindleOf: (step: number) => Spindle | null = () => null,
+  isBackwards: (step: number) => boolean = () => false,
+): Surfaces {
   const touched = touchIndex(steps);
   const made = new Map<number, Maker>();
   const known = new Map<number, Known>();
@@ -119,6 +129,7 @@ export function surfacesOf(steps: readonly Step[], spindleOf: (step: number) => 
       pitch: s.move.kind === "arc" ? 0 : perTurn,
       from: s.from.z,
       way: wayOf(s),
+      hand: handOfStep(s, isBackwards(step)),
     };
     made.set(step, have);
     return have;

@@ -4,8 +4,8 @@ import type { SurfaceEdge } from "./scan.ts";
 import { flanksOf, helix, silhouette, threadZones } from "./thread-zone.ts";
 
 const PITCH = 1.7;
-const thread = { texture: "thread", step: 9, pitch: PITCH, from: 4, way: [-1, 0] } as const,
-  turned = { texture: "finished", step: 3, pitch: 0, from: 2, way: [-1, 0] } as const;
+const thread = { texture: "thread", step: 9, pitch: PITCH, from: 4, way: [-1, 0], hand: 1 } as const,
+  turned = { texture: "finished", step: 3, pitch: 0, from: 2, way: [-1, 0], hand: 1 } as const;
 
 /** Grooves from right to left, as an outer ring runs, with crests between them. */
 function grooves(count: number, begin: number, r: number): SurfaceEdge[] {
@@ -41,6 +41,8 @@ test("a point of the profile comes back half a lead on at the other side, to the
     expect(Math.abs((curve.at(-1)?.[0] ?? 0) - (curve[0]?.[0] ?? 0))).toBeCloseTo((PITCH / 2) * 10, 9);
     expect(Math.abs((curve.at(-1)?.[1] ?? 0) - (curve[0]?.[1] ?? 0))).toBeCloseTo(2 * 12.1 * 10, 9);
   }
+  const left = helix(camera, { ...zone, hand: -1 }, { z: -3.3, r: 12.1 }, [0, 1]);
+  expect((left.at(-1)?.[0] ?? 0) - (left[0]?.[0] ?? 0)).toBeCloseTo((-PITCH / 2) * 10, 9);
   const wall = helix(camera, { ...zone, isInside: true }, { z: -3.3, r: 12.1 }, [0, 0.5]);
   expect((wall.at(-1)?.[0] ?? 0) - (wall[0]?.[0] ?? 0)).toBeCloseTo((-PITCH / 4) * 10, 9);
 });

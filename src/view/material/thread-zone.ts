@@ -1,3 +1,4 @@
+import type { ThreadHand } from "../../kernel/thread-turns.ts";
 import type { Camera } from "../camera.ts";
 import type { Boundary, SurfaceEdge } from "./scan.ts";
 
@@ -6,6 +7,7 @@ export interface ThreadZone {
   readonly left: number;
   readonly right: number;
   readonly lead: number;
+  readonly hand: ThreadHand;
   /** On a wall of a hollow, or on the outside. */
   readonly isInside: boolean;
   /** The profile in the plane of the cut, from left to right, mm. */
@@ -22,8 +24,9 @@ function zoneOf(edges: readonly SurfaceEdge[]): ThreadZone {
   const forward = edges.flatMap((e, i) => (i === 0 ? [{ z: e.z0, r: e.r0 }, { z: e.z1, r: e.r1 }] : [{ z: e.z1, r: e.r1 }]));
   const profile = isOutside ? forward.reverse() : forward;
   const lead = Math.max(...edges.map((e) => (e.made.texture === "thread" ? e.made.pitch : 0)));
+  const hand = edges.find((e) => e.made.texture === "thread")?.made.hand ?? 1;
   const places = profile.map((p) => p.z);
-  return { left: Math.min(...places), right: Math.max(...places), lead, isInside: !isOutside, profile };
+  return { left: Math.min(...places), right: Math.max(...places), lead, hand, isInside: !isOutside, profile };
 }
 
 /** The threads in a boundary: runs of edges in which grooves follow each other within a lead. */
@@ -60,11 +63,16 @@ export type HalfTurn = readonly [from: number, to: number];
 export type ScreenPoint = readonly [x: number, y: number];
 
 /**
- * The curve that a point of the profile draws on the body. Threads are right-handed: seen from the side their front runs away to the
+ * The curve that a point of the profile draws on the body. Of a right-handed thread the front, seen from the side, runs away to the
  * right on its way down, whichever side the tool is on; the far wall of a hole shows the other half of the turn.
  */
-export function helix(camera: Camera, { lead, isInside }: ThreadZone, p: { readonly z: number; readonly r: number }, [from, to]: HalfTurn) {
-  const { scale, zero, xUp } = camera, side = xUp ? -1 : 1, along = (lead / 2) * (xUp ? 1 : -1) * (isInside ? -1 : 1);
+export function helix(
+  camera: Camera,
+  { lead, hand, isInside }: ThreadZone,
+  p: { readonly z: number; readonly r: number },
+  [from, to]: HalfTurn,
+) {
+  const { scale, zero, xUp } = camera, side = xUp ? -1 : 1, along = ((hand * lead) / 2) * (xUp ? 1 : -1) * (isInside ? -1 : 1);
   return Array.from({ length: PIECES + 1 }, (_, i): ScreenPoint => {
     const turn = from + ((to - from) * i) / PIECES;
     return [zero.x + (p.z + along * turn) * scale, zero.y + side * Math.cos(turn * Math.PI) * p.r * scale];
@@ -110,6 +118,7 @@ function directionAt(profile: ThreadZone["profile"], i: number): number {
 export function silhouette(camera: Camera, zone: ThreadZone, turn: 0 | 1): readonly ScreenPoint[] {
   const { profile, lead } = zone, [first, last] = [profile[0], profile.at(-1)];
   const places = first && last ? [{ z: first.z - lead, r: first.r }, ...profile, { z: last.z + lead, r: last.r }] : [];
-  const { scale, zero, xUp } = camera, side = xUp ? -1 : 1, along = (turn * lead * (xUp ? 1 : -1) * (zone.isInside ? -1 : 1)) / 2;
+  const { scale, zero, xUp } = camera, side = xUp ? -1 : 1,
+    along = (turn * zone.hand * lead * (xUp ? 1 : -1) * (zone.isInside ? -1 : 1)) / 2;
   return places.map((p) => [zero.x + (p.z + along) * scale, zero.y + (turn === 0 ? side : -side) * p.r * scale] as const);
 }

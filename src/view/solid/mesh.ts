@@ -9,6 +9,8 @@ export interface Mesh {
   readonly normals: Float32Array;
   /** Three corners for each triangle. */
   readonly index: Uint32Array;
+  /** How the surface looks at each corner, where that is known: its texture, by its place in `LOOKS`, and the turn that left it, or 0. */
+  readonly looks?: Float32Array;
 }
 
 export const NO_MESH: Mesh = { positions: new Float32Array(), normals: new Float32Array(), index: new Uint32Array() };
@@ -18,16 +20,18 @@ export function joinedMeshes(meshes: readonly Mesh[]): Mesh {
   const total = (pick: (m: Mesh) => number) => meshes.reduce((sum, m) => sum + pick(m), 0);
   const positions = new Float32Array(total((m) => m.positions.length)), normals = new Float32Array(positions.length);
   const index = new Uint32Array(total((m) => m.index.length));
+  const looks = meshes.some((m) => m.looks) ? new Float32Array((2 * positions.length) / 3) : null;
   let [corner, place] = [0, 0];
   for (const m of meshes) {
     positions.set(m.positions, corner);
     normals.set(m.normals, corner);
+    if (m.looks) looks?.set(m.looks, (2 * corner) / 3);
     const first = corner / 3;
     for (let i = 0; i < m.index.length; i += 1) index[place + i] = (m.index[i] ?? 0) + first;
     corner += m.positions.length;
     place += m.index.length;
   }
-  return { positions, normals, index };
+  return looks ? { positions, normals, index, looks } : { positions, normals, index };
 }
 
 /** What a closed surface encloses, mm³: positive when its triangles show outwards. */

@@ -17,7 +17,7 @@ const fine: ThreadTurning = { chords: 32, quarterCut: true, hand: 1, within: 0.0
 function moments(text: string) {
   const { blank, stated, steps, operations, unproved } = run(parse(text), { tools: shippedTools, rapid: 8000 });
   const simulation = simulate({ blank, stated, steps, operations, unproved }), player = playerOf(simulation);
-  const threads = runThreads(steps, player.at, statedSteps(simulation));
+  const threads = runThreads(steps, player.at, { stated: statedSteps(simulation) });
   const at = (position: PlayPosition) => bodiesAt({ stock: player.at(position), simulation, threads, position, size: 60 }, fine);
   const leftAt = (position: PlayPosition) => colouredBodies(player.at(position), simulation, position, 60).residual;
   return { steps, at, threads, leftAt, residual: simulation.proof.residual };

@@ -45,20 +45,26 @@ function withThreads(
 /** What was left between grooves is joined to what fills them, mm. */
 const GAP = 0.05;
 
-/** The bodies of a moment; `hasRings`: a thread in them is rings, because it could not be made a helix. */
-export function bodiesAt(
-  { stock, simulation, threads, position, size }: Moment,
-  turning: ThreadTurning,
-): { readonly bodies: readonly MomentBody[]; readonly hasRings: boolean } {
+/** The bodies of a moment, and what is to be said of their threads. */
+export interface MomentBodies {
+  readonly bodies: readonly MomentBody[];
+  /** A thread in them is rings, because it could not be made a helix. */
+  readonly hasRings: boolean;
+  /** A thread in them is left-handed. */
+  readonly hasLeft: boolean;
+}
+
+/** The bodies of a moment. */
+export function bodiesAt({ stock, simulation, threads, position, size }: Moment, turning: ThreadTurning): MomentBodies {
   const coloured = (rings: readonly Ring[]): ColouredBodies =>
     simulation ? colouredBodies(rings, simulation, position, size) : { steel: rings, residual: [], gouge: [] };
   const all = coloured(stock), apart = threads?.of(stock, position) ?? null;
   const helices = apart && withThreads(all, { stock, ...apart }, coloured, turning);
-  const turned = (rings: readonly Ring[]) => revolved(rings, turning);
-  const bodies: MomentBody[] = [{ role: "steel", solid: helices?.plain ?? turned(all.steel) }, {
+  const { finish, ...plain } = turning, turned = (rings: readonly Ring[]) => revolved(rings, plain);
+  const bodies: MomentBody[] = [{ role: "steel", solid: helices?.plain ?? revolved(all.steel, turning) }, {
     role: "residual",
     solid: turned(helices?.rest ?? all.residual),
   }, { role: "gouge", solid: turned(all.gouge) }];
   if (helices?.told) bodies.push({ role: "residual", solid: helices.told });
-  return { bodies, hasRings: apart !== null && helices === null };
+  return { bodies, hasRings: apart !== null && helices === null, hasLeft: apart?.cuts.some(({ hand }) => hand < 0) ?? false };
 }

@@ -88,8 +88,9 @@ export function slid(orbit: Orbit, dx: number, dy: number, size: Size): Orbit {
   return { ...orbit, centre: [moved(0), moved(1), moved(2)] };
 }
 
-/** The corners round a body of revolution that fills bounds of the half plane. */
-function cornersOf({ left, right, high }: Bounds): readonly SpacePoint[] {
+/** The corners of bounds of the half plane, or of those round the body of revolution that fills them. */
+function cornersOf({ left, right, low, high }: Bounds, isFlat: boolean): readonly SpacePoint[] {
+  if (isFlat) return [left, right].flatMap((z) => [low, high].map((r): SpacePoint => [r, 0, z]));
   const sides = Array.from({ length: 8 }, (_, i) => (i * Math.PI) / 4);
   return [left, right].flatMap((z) => sides.map((a): SpacePoint => [high * Math.cos(a), high * Math.sin(a), z]));
 }
@@ -104,9 +105,9 @@ const AIR = 1.12;
 /** How often a view is centred anew: moving it sideways changes a little of what is near and what is far. */
 const CENTRED = 3;
 
-/** A named view that shows all of a body of revolution, as large as the picture allows and in its middle. */
-export function namedView(view: NamedView, bounds: Bounds, size: Size): Orbit {
-  const { eye, right, up } = axesOf(ANGLES[view]), corners = cornersOf(bounds);
+/** A named view that shows all of a body of revolution, or of a flat thing, as large as the picture allows and in its middle. */
+export function namedView(view: NamedView, bounds: Bounds, size: Size, isFlat = false): Orbit {
+  const { eye, right, up } = axesOf(ANGLES[view]), corners = cornersOf(bounds, isFlat);
   const tall = Math.tan(FIELD / 2) / AIR, wide = tall * Math.max(0.01, size.width / Math.max(1, size.height));
   let centre: SpacePoint = [0, 0, (bounds.left + bounds.right) / 2];
   let distance: number = DISTANCE.nearest;

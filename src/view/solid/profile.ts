@@ -1,5 +1,6 @@
 import { at, type Pt, type Ring } from "../../kernel/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
+import type { StockLooks, SideLook } from "./finish.ts";
 
 /** A place of an outline with the direction out of the material there, length 1. A sharp corner has two, one for each side. */
 export interface TurnedPoint {
@@ -15,6 +16,8 @@ export interface Profile {
   readonly sides: readonly (readonly [number, number])[];
   /** Corners that are seen as an edge, as places in `points`. */
   readonly sharp: readonly number[];
+  /** How each side looks, where that was asked for; no two sides that look unlike have a place in common. */
+  readonly looks: readonly (SideLook | null)[];
 }
 
 /** Two chords of one arc never bend more than this at their joint, radians; other corners are sharp. */
@@ -37,8 +40,10 @@ function isSmooth(a: Side, b: Side): boolean {
 /** Points nearer to the axis than a control can tell lie on it. */
 const settled = (p: Pt): Pt => (p.r < SAME ? at(p.z, 0) : p);
 
-/** An outline (material to the left) as smooth and sharp places; null when it encloses nothing. */
-export function profileOf(ring: Ring): Profile | null {
+const isAlike = (a: SideLook | null | undefined, b: SideLook | null | undefined) => a?.texture === b?.texture && !a?.turnAt && !b?.turnAt;
+
+/** An outline (material to the left) as smooth and sharp places; null when it encloses nothing. `finish` has parted it. */
+export function profileOf(ring: Ring, finish?: StockLooks): Profile | null {
   const corners = ring.map(settled).filter((p, i, all) => {
     const before = all[(i + all.length - 1) % all.length];
     return !before || p.z !== before.z || p.r !== before.r;
@@ -49,6 +54,7 @@ export function profileOf(ring: Ring): Profile | null {
     const [dz, dr] = [to.z - p.z, to.r - p.r], long = Math.hypot(dz, dr) || 1;
     return { nz: dr / long, nr: -dz / long, long };
   });
+  const looks = corners.map((p, i) => finish?.of(p, corners[(i + 1) % corners.length] ?? p) ?? null);
   const points: TurnedPoint[] = [], sharp: number[] = [];
   const ends = corners.map((p, i) => {
     const before = sides[(i + sides.length - 1) % sides.length], after = sides[i];
@@ -61,9 +67,11 @@ export function profileOf(ring: Ring): Profile | null {
     }
     // The longer side is nearer to the true direction: a line that runs into a rounding keeps its own.
     const [nz, nr] = [before.nz * before.long + after.nz * after.long, before.nr * before.long + after.nr * after.long];
-    const size = Math.hypot(nz, nr) || 1;
-    points.push({ p, nz: nz / size, nr: nr / size });
-    return [first, first] as const;
+    const size = Math.hypot(nz, nr) || 1, point = { p, nz: nz / size, nr: nr / size };
+    points.push(point);
+    if (isAlike(looks[(i + looks.length - 1) % looks.length], looks[i])) return [first, first] as const;
+    points.push(point);
+    return [first, first + 1] as const;
   });
-  return { points, sides: ends.map(([, out], i) => [out, ends[(i + 1) % ends.length]?.[0] ?? out] as const), sharp };
+  return { points, sides: ends.map(([, out], i) => [out, ends[(i + 1) % ends.length]?.[0] ?? out] as const), sharp, looks };
 }

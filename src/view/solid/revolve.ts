@@ -1,5 +1,6 @@
-import type { Pt, Ring } from "../../kernel/point.ts";
+import { at, type Pt, type Ring } from "../../kernel/point.ts";
 import { trianglesOf } from "./fill.ts";
+import { lookAt, partedBy, type StockLooks } from "./finish.ts";
 import { joinedMeshes, MeshBuilder, NO_MESH, type Mesh } from "./mesh.ts";
 import { profileOf, type Profile } from "./profile.ts";
 
@@ -19,6 +20,8 @@ export interface Turning {
   readonly chords: number;
   /** The quarter between X up and the operator is cut away. */
   readonly quarterCut: boolean;
+  /** How the surfaces of the stock look; absent where nobody wants to know. */
+  readonly finish?: StockLooks;
 }
 
 /** How far a chord of a revolved body may leave its circle, mm. */
@@ -46,26 +49,27 @@ export function directionsOf(chords: number): readonly (readonly [number, number
 }
 
 const UP = [1, 0] as const;
+const AXIS = at(0, 0);
 
 /** Where the turn begins and over how many chords it goes. */
 export const spanOf =
   ({ chords, quarterCut }: Turning) => (quarterCut ? { first: chords / 4, count: (3 * chords) / 4 } : { first: 0, count: chords });
 
 function surfaceOf(profile: Profile, turning: Turning, directions: ReturnType<typeof directionsOf>): Mesh {
-  const { first, count } = spanOf(turning), { points, sides } = profile;
+  const { first, count } = spanOf(turning), { points, sides, looks: known } = profile;
   const rows = turning.quarterCut ? count + 1 : count;
   const positions = new Float32Array(3 * points.length * rows), normals = new Float32Array(positions.length);
   const ways = Array.from({ length: rows }, (_, row) => directions[(first + row) % turning.chords] ?? UP);
-  let at = 0;
+  let place = 0;
   for (const { p, nz, nr } of points) {
     for (const [x, y] of ways) {
       // Zero is never negative, so that equal corners are equal to the bit.
-      positions[at] = p.r * x + 0;
-      normals[at++] = nr * x;
-      positions[at] = p.r * y + 0;
-      normals[at++] = nr * y;
-      positions[at] = p.z + 0;
-      normals[at++] = nz;
+      positions[place] = p.r * x + 0;
+      normals[place++] = nr * x;
+      positions[place] = p.r * y + 0;
+      normals[place++] = nr * y;
+      positions[place] = p.z + 0;
+      normals[place++] = nz;
     }
   }
   const index = new Uint32Array(6 * sides.length * count);
@@ -89,7 +93,16 @@ function surfaceOf(profile: Profile, turning: Turning, directions: ReturnType<ty
       }
     }
   }
-  return { positions, normals, index: index.slice(0, n) };
+  const mesh = { positions, normals, index: index.slice(0, n) };
+  if (!turning.finish) return mesh;
+  const looks = new Float32Array(2 * points.length * rows);
+  sides.forEach((ends, side) => {
+    for (const end of ends) {
+      const [texture, turn] = lookAt(known[side], points[end]?.p ?? AXIS);
+      for (let row = 0; row < rows; row += 1) looks.set([texture, turn], 2 * (end * rows + row));
+    }
+  });
+  return { ...mesh, looks };
 }
 
 /** Both faces of the cut: outlines of the one that stands upright, and of the one that lies towards the operator. */
@@ -133,7 +146,7 @@ function edgesOf(profiles: readonly Profile[], turning: Turning, directions: Ret
  * several rings several bodies. What lies on the axis is closed there; what would lie beyond it is taken for lying on it.
  */
 export function revolved(rings: readonly Ring[], turning: Turning): Solid {
-  const profiles = rings.flatMap((ring) => profileOf(ring) ?? []);
+  const profiles = rings.flatMap((ring) => profileOf(turning.finish ? partedBy(turning.finish, ring) : ring, turning.finish) ?? []);
   if (profiles.length === 0) return { surface: NO_MESH, section: NO_MESH, edges: new Float32Array() };
   const directions = directionsOf(turning.chords);
   const outlines = profiles.map(({ points, sides }) => sides.flatMap(([a]): Pt[] => points[a] ? [points[a].p] : []));

@@ -3,9 +3,10 @@ import { difference, intersection, offset, union } from "../../kernel/clip.ts";
 import { insertOutline } from "../../kernel/insert.ts";
 import { part, type Pt, type Ring } from "../../kernel/point.ts";
 import type { Step } from "../../kernel/step.ts";
-import { turnsIn, type ThreadMove } from "../../kernel/thread-turns.ts";
+import { handOf, turnsIn, type ThreadHand, type ThreadMove } from "../../kernel/thread-turns.ts";
 import { pathOf } from "../../kernel/time.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
+import { turnsBack, type SpindleFrom } from "../../sim/load/spindles.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { sweptBy } from "../../sim/sweep.ts";
 
@@ -16,6 +17,7 @@ export interface ThreadCut {
   /** Turns of the spindle that are done, and those of the whole cut. */
   readonly done: number;
   readonly turns: number;
+  readonly hand: ThreadHand;
   /** Outline of the insert round its tip, counter-clockwise. */
   readonly outline: Ring;
 }
@@ -34,6 +36,14 @@ export interface RunThreads {
    * filled beyond it.
    */
   readonly of: (stock: readonly Ring[], now: PlayPosition, within?: readonly Ring[]) => ThreadedStock | null;
+}
+
+/** What else decides what threads of a run are there. */
+export interface ThreadsOf {
+  /** The steps from which on another blank is in the chuck, which knows nothing of what was cut before. */
+  readonly stated?: readonly number[];
+  /** How the spindle turns; forwards where nobody says. */
+  readonly spindles?: readonly SpindleFrom[];
 }
 
 /** Cuts that follow each other with one tool in one operation. */
@@ -67,13 +77,12 @@ function groupsOf(steps: readonly Step[]): readonly Group[] {
 }
 
 /**
- * The threads of a run; null where it has none. `stockAt` is asked once for each of them, for what stood there before its first cut;
- * `stated` are the steps from which on another blank is in the chuck, which knows nothing of what was cut before.
+ * The threads of a run; null where it has none. `stockAt` is asked once for each of them, for what stood there before its first cut.
  */
 export function runThreads(
   steps: readonly Step[],
   stockAt: (position: PlayPosition) => readonly Ring[],
-  stated: readonly number[] = [],
+  { stated = [], spindles = [] }: ThreadsOf = {},
 ): RunThreads | null {
   const groups = groupsOf(steps);
   if (groups.length === 0) return null;
@@ -115,7 +124,8 @@ export function runThreads(
     const step = steps[i], fraction = i < now.step ? 1 : now.fraction;
     if (!isThread(step) || i > now.step || fraction === 0) return [];
     const turns = turnsIn(step.from, step.move);
-    return [{ from: step.from, move: step.move, turns, done: turns * fraction, outline: outlineOf(step) }];
+    const hand = handOf(step.from, step.move, turnsBack(spindles, i));
+    return [{ from: step.from, move: step.move, turns, done: turns * fraction, hand, outline: outlineOf(step) }];
   };
 
   return {

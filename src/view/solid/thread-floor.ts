@@ -1,5 +1,6 @@
 import type { Ring } from "../../kernel/point.ts";
 import { NOTHING, ROUND, SAME } from "../../kernel/tolerance.ts";
+import type { ThreadHand } from "../../kernel/thread-turns.ts";
 import type { ThreadCut } from "./thread-cuts.ts";
 
 /*
@@ -34,9 +35,12 @@ export interface HelixTrack {
   readonly to: number;
 }
 
-/** The grooves on one side of the work, all of one lead. */
+/** A thread: grooves on one side of the work, all of one lead and one hand. */
 export interface ThreadFloor {
+  readonly side: ThreadSide;
   readonly lead: number;
+  /** 1: right-handed as it is drawn. */
+  readonly hand: ThreadHand;
   /** Height of the floor at a place of a half plane; Infinity where no groove is. */
   readonly at: (z: number, share: number) => number;
   /** Height of what tools have cut all round where they stood still at the end of the thread; Infinity beside it. */
@@ -122,14 +126,32 @@ export const threadSide = ({ outline }: ThreadCut): ThreadSide => {
   return high >= -low ? 1 : -1;
 };
 
+/** Whether two cuts belong to one thread: side, lead and hand are the same, and along Z they lie over each other. */
+function isOneThread(a: ThreadCut, b: ThreadCut): boolean {
+  const ends = ({ from, move: { to } }: ThreadCut) => [Math.min(from.z, to.z), Math.max(from.z, to.z)] as const;
+  const [[left, right], [from, to]] = [ends(a), ends(b)];
+  return threadSide(a) === threadSide(b) && a.hand === b.hand && Math.abs(a.move.pitch - b.move.pitch) <= ROUND
+    && left < to + SAME && from < right + SAME;
+}
+
 /**
- * The floor of cuts on one side; null where they have different leads or run across the spindle, and cannot be drawn as one thread.
- * `hand`: 1 for a right-handed thread, −1 for its mirror image.
+ * The threads that cuts make; null where some of them run across the spindle, and cannot be drawn. `mirrored`: −1 where the picture is a
+ * mirror image, in which a right-handed thread is made left-handed.
  */
-export function threadFloor(cuts: readonly ThreadCut[], side: ThreadSide, hand: 1 | -1): ThreadFloor | null {
-  const own = cuts.filter((cut) => threadSide(cut) === side && cut.turns > 0 && Number.isFinite(cut.turns));
+export function threadFloors(cuts: readonly ThreadCut[], mirrored: ThreadHand): readonly ThreadFloor[] | null {
+  const own = cuts.filter((cut) => cut.turns > 0 && Number.isFinite(cut.turns));
+  if (own.some(({ move }) => move.axis !== "z")) return null;
+  const threads = own.reduce((all: readonly (readonly ThreadCut[])[], cut) => {
+    const near = all.filter((thread) => thread.some((each) => isOneThread(each, cut)));
+    return [...all.filter((thread) => !near.includes(thread)), [...near.flat(), cut]];
+  }, []);
+  return threads.flatMap((thread) => floorOf(thread, mirrored) ?? []);
+}
+
+function floorOf(own: readonly ThreadCut[], mirrored: ThreadHand): ThreadFloor | null {
   const first = own[0];
-  if (!first || own.some(({ move }) => move.axis !== "z" || Math.abs(move.pitch - first.move.pitch) > ROUND)) return null;
+  if (!first) return null;
+  const side = threadSide(first), hand: ThreadHand = first.hand === mirrored ? 1 : -1;
   const lead = first.move.pitch, passes = own.map((cut) => passOf(cut, side));
   // What runs out at the end is another cut, and short.
   const longest = Math.max(...passes.map((p) => p.turns)), main = passes.filter((p) => p.turns > longest / 2);
@@ -162,7 +184,9 @@ export function threadFloor(cuts: readonly ThreadCut[], side: ThreadSide, hand: 
     });
 
   return {
+    side,
     lead,
+    hand,
     tracks: tracksOf,
     at(z, share) {
       const flat = z - hand * lead * share;

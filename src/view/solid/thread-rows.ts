@@ -139,9 +139,9 @@ function fewer(tracks: readonly HelixTrack[]): readonly HelixTrack[] {
 /** Fewest rows that are a thread: two crests or roots and what lies between. */
 const LEAST_ROWS = 2;
 
-/** The surface of a side with its grooves; null where that would be too many rows. `hand` as for the floor. */
-export function threadRows(floor: ThreadFloor, side: ThreadedSide, hand: 1 | -1, fine: ThreadFineness): ThreadRows | null {
-  const { left, right, heights: [a, b] } = side, { lead } = floor, { chords } = fine;
+/** The surface of a side with its grooves; null where that would be too many rows. */
+export function threadRows(floor: ThreadFloor, side: ThreadedSide, fine: ThreadFineness): ThreadRows | null {
+  const { left, right, heights: [a, b] } = side, { lead, hand } = floor, { chords } = fine;
   const slope = (b - a) / (right - left), leads = (right - left) / lead + 1;
   let line = period(floor, side, fine.within);
   for (let coarse = fine.within * 2; leads * (line.length - 1) * chords > fine.most; coarse *= 2) {

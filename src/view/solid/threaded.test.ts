@@ -10,6 +10,7 @@ import { parse } from "../../nc/parse.ts";
 import { run } from "../../program/run.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
+import { turnsBack } from "../../sim/load/spindles.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { playerOf } from "../../sim/stock.ts";
 import { sweptBy } from "../../sim/sweep.ts";
@@ -22,18 +23,25 @@ function made(name: string, change: (text: string) => string = (text) => text) {
   const text = change(readFileSync(`tests/programs/${name}.h`, "utf8"));
   const ran = run(parse(text), { tools: shippedTools, rapid: 8000 });
   const { blank, stated, steps, operations, unproved } = ran;
-  const player = playerOf(simulate({ blank, stated, steps, operations, unproved })), threads = runThreads(steps, player.at);
-  return { steps, player, at: (now: PlayPosition) => ({ stock: player.at(now), apart: threads?.of(player.at(now), now) ?? null }) };
+  const player = playerOf(simulate({ blank, stated, steps, operations, unproved }));
+  const threads = runThreads(steps, player.at, { spindles: ran.spindles });
+  return {
+    steps,
+    spindles: ran.spindles,
+    player,
+    at: (now: PlayPosition) => ({ stock: player.at(now), apart: threads?.of(player.at(now), now) ?? null }),
+  };
 }
 type Made = ReturnType<typeof made>;
 const finished = ({ steps }: Made): PlayPosition => ({ step: steps.length, fraction: 0 });
 
 /** The half plane that lies a share of a turn farther over the operator, cut by the same moves begun at another angle of the spindle. */
-function sectionAt({ steps }: Made, base: readonly Ring[], now: PlayPosition, share: number): Ring[] {
+function sectionAt({ steps, spindles }: Made, base: readonly Ring[], now: PlayPosition, share: number): Ring[] {
   const cuts = steps.flatMap((step, i) => {
     const { move } = step;
     if (move.kind !== "thread" || i > now.step) return [];
-    const angle = degrees(move.angle - 360 * share * Math.sign(move.to.z - step.from.z));
+    // Seen from the headstock M3 turns the work clockwise: over the operator, back and round.
+    const angle = degrees(move.angle + 360 * share * (turnsBack(spindles, i) ? -1 : 1));
     return [...sweptBy(insertOutline(step.tool, CHORD), { ...step, move: { ...move, angle } }, i < now.step ? 1 : now.fraction).rings];
   });
   return difference(base, union(cuts));
@@ -73,6 +81,12 @@ function lying({ positions, normals, index }: Mesh): Ring[] {
   return union(rings);
 }
 
+const call = readFileSync("tests/programs/cycle-831.h", "utf8").split("\n").slice(7, 23);
+/** A second thread behind the first one: finer, and in the same blank. */
+const second = call.map((line) =>
+  line.replace(/(Q492=).*? ;/, "$1-36.1 ;").replace(/(Q494=).*? ;/, "$1-51.7 ;").replace(/(Q472=).*? ;/, "$1+1.75 ;").replace(/Z\+8.1/,
+    "Z-31.7").replace(/(Q460=).*? ;/, "$1+2 ;")
+);
 const works: readonly (readonly [what: string, work: Made, moment: (work: Made) => PlayPosition])[] = [
   ["a thread that runs out", made("cycle-831"), finished],
   ["a conical thread with a run-out", made("cycle-830"), finished],
@@ -83,6 +97,18 @@ const works: readonly (readonly [what: string, work: Made, moment: (work: Made) 
     ),
     fraction: 0.437,
   })],
+  [
+    "a left-handed thread: the spindle turns backwards",
+    made("cycle-831", (text) => text.replace("M303", "M304")),
+    finished,
+  ],
+  ["threads of two leads", made("cycle-831", (text) => text.replace("10 L", `${second.join("\n")}\n10 L`)), finished],
+  [
+    "threads of both hands",
+    made("cycle-831",
+      (text) => text.replace("10 L", `${second.join("\n").replace("M303", "M304").replace("Q472=+1.75", "Q472=+3.5")}\n10 L`)),
+    finished,
+  ],
 ];
 
 describe.each(works)("%s", (_, work, moment) => {
@@ -100,7 +126,7 @@ describe.each(works)("%s", (_, work, moment) => {
     expect(Math.abs(volumeOf(mesh) / share - wanted)).toBeLessThan(0.01 * grooves);
   });
 
-  test("is right-handed: a quarter of a turn on its section is a quarter of the lead farther, in its mirror image back", () => {
+  test("has its hand: a quarter of a turn over the operator its section is what the moves cut there, in its mirror image back", () => {
     for (const [hand, share] of [[1, 0.25], [-1, -0.25]] as const) {
       const cut = apart && threaded(stock, apart, { ...fine, hand, quarterCut: true });
       expect(cut && openEdges(wholeMesh(cut)).open).toBe(0);

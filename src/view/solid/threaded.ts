@@ -1,18 +1,22 @@
 import { areaOf } from "../../kernel/area.ts";
+import { boxAround } from "../../kernel/box.ts";
 import { difference, intersection, isInside, offset, union } from "../../kernel/clip.ts";
 import { at, type Pt, type Ring } from "../../kernel/point.ts";
+import type { ThreadHand } from "../../kernel/thread-turns.ts";
 import { SAME } from "../../kernel/tolerance.ts";
-import { joinedMeshes, NO_MESH, type Mesh } from "./mesh.ts";
+import { lookAt, type StockLooks } from "./finish.ts";
+import { joinedMeshes, NO_MESH } from "./mesh.ts";
 import { profileOf, type Profile } from "./profile.ts";
 import { directionsOf, cutFaces, spanOf, type Solid, type Turning } from "./revolve.ts";
 import type { ThreadedStock } from "./thread-cuts.ts";
-import { threadFloor, type ThreadFloor, type ThreadSide } from "./thread-floor.ts";
+import { threadFloors, type ThreadFloor, type ThreadSide } from "./thread-floor.ts";
+import { stripMesh, type Strip } from "./thread-mesh.ts";
 import { threadRows, type ThreadRows } from "./thread-rows.ts";
 
 /** How a body with threads is made. */
 export interface ThreadTurning extends Turning {
-  /** 1: right-handed, as threads are; −1 where the picture is a mirror image. */
-  readonly hand: 1 | -1;
+  /** 1: as they were cut; −1 where the picture is a mirror image, so that threads in it are made the other way round. */
+  readonly hand: ThreadHand;
   /** How far a flank may lie from the true one, mm. */
   readonly within: number;
   /** Most corners of the grooves in one piece of the outline. */
@@ -22,10 +26,7 @@ export interface ThreadTurning extends Turning {
 /** The section of a threaded body may miss that of the stock by this much of the grooves. */
 const AMISS = 0.03;
 
-interface Floors {
-  readonly 1: ThreadFloor | null;
-  readonly "-1": ThreadFloor | null;
-}
+type Floors = readonly ThreadFloor[];
 
 /** Outside an outline runs to the left, on the wall of a bore to the right; along a face there is no thread. */
 const facing = (p: Pt, q: Pt): ThreadSide | null => {
@@ -33,33 +34,27 @@ const facing = (p: Pt, q: Pt): ThreadSide | null => {
   return q.z < p.z ? 1 : -1;
 };
 
-/** The grooves that reach a straight piece of the outline, and between which places. */
-function reachOn(p: Pt, q: Pt, floors: Floors) {
-  const side = facing(p, q), floor = side && floors[side];
-  if (!side || !floor) return null;
-  const reach = floor.reach(Math.max(side * p.r, side * q.r));
-  if (!reach) return null;
-  const left = Math.max(reach[0], Math.min(p.z, q.z)), right = Math.min(reach[1], Math.max(p.z, q.z));
-  return right - left > SAME ? { side, floor, left, right } : null;
-}
-
-/** An outline with corners where grooves begin and end. */
-function parted(ring: Ring, floors: Floors): Ring {
-  return ring.flatMap((p, i) => {
-    const q = ring[(i + 1) % ring.length] ?? p, found = reachOn(p, q, floors);
-    if (!found) return [p];
-    const places = q.z > p.z ? [found.left, found.right] : [found.right, found.left];
-    const inside = places.filter((z) => Math.abs(z - p.z) > SAME && Math.abs(z - q.z) > SAME);
-    return [p, ...inside.map((z) => at(z, p.r + ((q.r - p.r) * (z - p.z)) / (q.z - p.z)))];
+/** The threads that reach a straight piece of the outline, and between which places. */
+function reachesOn(p: Pt, q: Pt, floors: Floors) {
+  const side = facing(p, q);
+  return floors.flatMap((floor) => {
+    const reach = side === floor.side ? floor.reach(Math.max(floor.side * p.r, floor.side * q.r)) : null;
+    if (!reach) return [];
+    const left = Math.max(reach[0], Math.min(p.z, q.z)), right = Math.min(reach[1], Math.max(p.z, q.z));
+    return right - left > 2 * SAME ? [{ floor, left, right }] : [];
   });
 }
 
-/** A strip between two rows, each with its own direction: place and radius of both at each column. */
-interface Strip {
-  readonly z: readonly [Float64Array, Float64Array];
-  readonly r: readonly [Float64Array, Float64Array];
-  /** Directions out of the material at both rows (z, r), for where the strip has no width; null: always its own. */
-  readonly smooth: readonly [readonly [number, number], readonly [number, number]] | null;
+/** An outline with corners where grooves begin and end, and where the look of what lies beside them changes. */
+function parted(ring: Ring, floors: Floors, finish: StockLooks | undefined): Ring {
+  return ring.flatMap((p, i) => {
+    const q = ring[(i + 1) % ring.length] ?? p, found = reachesOn(p, q, floors), changes = finish?.changes(p, q) ?? [];
+    if (found.length === 0) return [p, ...changes];
+    const way = Math.sign(q.z - p.z), ends = found.flatMap(({ left, right }) => [left, right]);
+    const beside = changes.flatMap(({ z }) => (found.every(({ left, right }) => z < left - SAME || z > right + SAME) ? [z] : []));
+    const inside = [...beside, ...ends].filter((z) => Math.abs(z - p.z) > SAME && Math.abs(z - q.z) > SAME);
+    return [p, ...inside.sort((a, b) => way * (a - b)).map((z) => at(z, p.r + ((q.r - p.r) * (z - p.z)) / (q.z - p.z)))];
+  });
 }
 
 interface Surfaces {
@@ -72,15 +67,16 @@ interface Surfaces {
   readonly outline: (column: number) => Pt[];
 }
 
-function rowsOn(profile: Profile, floors: Floors, { chords, hand, within, most }: ThreadTurning) {
+function rowsOn(profile: Profile, floors: Floors, { chords, within, most }: ThreadTurning) {
   let failed = false;
   const rows = profile.sides.map(([a, b]) => {
-    const [p, q] = [profile.points[a]?.p, profile.points[b]?.p], found = p && q && reachOn(p, q, floors);
+    const [p, q] = [profile.points[a]?.p, profile.points[b]?.p], [found, other] = p && q ? reachesOn(p, q, floors) : [];
     if (!p || !q || !found) return null;
-    const { side, floor } = found, [low, high] = p.z < q.z ? [p, q] : [q, p];
-    const made = threadRows(floor, { left: low.z, right: high.z, heights: [side * low.r, side * high.r] }, hand, { chords, within, most });
-    failed ||= made === null;
-    return made && { side, rows: made, lead: floor.lead };
+    const { floor, floor: { side } } = found, [low, high] = p.z < q.z ? [p, q] : [q, p];
+    const made = threadRows(floor, { left: low.z, right: high.z, heights: [side * low.r, side * high.r] }, { chords, within, most });
+    // Two threads in one place are none that can be drawn.
+    failed ||= made === null || other !== undefined;
+    return made && { side, rows: made, lead: floor.hand * floor.lead };
   });
   return failed ? null : rows;
 }
@@ -91,6 +87,8 @@ function rowOf({ side, rows }: { readonly side: ThreadSide; readonly rows: Threa
   const z = rows.z.subarray(own * columns, (own + 1) * columns);
   return { z, r: rows.height.subarray(own * columns, (own + 1) * columns).map((h) => side * h), crest: rows.crests[own] ?? false };
 }
+
+const THREAD = lookAt({ texture: "thread", turnAt: null }, at(0, 0));
 
 const same = (n: number, columns: number) => new Float64Array(columns).fill(n);
 
@@ -122,15 +120,21 @@ function surfacesOf(profile: Profile, floors: Floors, threading: ThreadTurning):
     if (!from || !to) return [];
     if (!each) {
       const z = [same(from.p.z, columns), same(to.p.z, columns)] as const;
-      strips.push({ z, r: [corners[i] as Float64Array, corners[next] as Float64Array], smooth: [[from.nz, from.nr], [to.nz, to.nr]] });
+      const look = profile.looks[i], looks = [lookAt(look, from.p), lookAt(look, to.p)] as const;
+      strips.push({
+        z,
+        r: [corners[i] as Float64Array, corners[next] as Float64Array],
+        smooth: [[from.nz, from.nr], [to.nz, to.nr]],
+        looks,
+      });
       return [{ z: z[0], r: corners[i] as Float64Array }];
     }
     const rows = Array.from({ length: each.rows.count }, (_, row) => rowOf(each, row));
     rows.slice(1).forEach((row, k) => {
       const before = rows[k] as (typeof rows)[number], after = rows[k + 2];
-      const strip: Strip = { z: [before.z, row.z], r: [before.r, row.r], smooth: null };
+      const strip: Strip = { z: [before.z, row.z], r: [before.r, row.r], smooth: null, looks: [THREAD, THREAD] };
       strips.push(strip);
-      told.set(strip, placesOf(strip, threading.chords, threading.hand * each.lead));
+      told.set(strip, placesOf(strip, threading.chords, each.lead));
       const falls = (other: typeof before | undefined, c: number) =>
         other !== undefined && each.side * ((row.r[c] ?? 0) - (other.r[c] ?? 0)) > SAME;
       if (row.crest) lines.push({ ...row, shown: (c) => falls(before, c) || falls(after, c) });
@@ -150,52 +154,6 @@ function surfacesOf(profile: Profile, floors: Floors, threading: ThreadTurning):
     });
   };
   return { strips, told, lines, outline };
-}
-
-function meshOf(strips: readonly Strip[], turning: Turning, directions: ReturnType<typeof directionsOf>): Mesh {
-  const { first, count } = spanOf(turning), rows = count + 1, { chords } = turning;
-  const positions = new Float32Array(6 * strips.length * rows), normals = new Float32Array(positions.length);
-  const index = new Uint32Array(6 * strips.length * count);
-  let [place, n] = [0, 0];
-  const equal = (a: number, b: number) => [0, 1, 2].every((k) => positions[3 * a + k] === positions[3 * b + k]);
-  for (const { z, r, smooth } of strips) {
-    const begin = place / 3;
-    let [nz, nr] = [0, 1];
-    const own = (column: number) => {
-      const [dz, dr] = [(z[1][column] ?? 0) - (z[0][column] ?? 0), (r[1][column] ?? 0) - (r[0][column] ?? 0)], long = Math.hypot(dz, dr);
-      if (long > SAME) [nz, nr] = [dr / long, -dz / long];
-    };
-    // A strip that begins without width has the direction that it takes on.
-    if (!smooth) { for (let column = first + count; column >= first; column -= 1) own(column); }
-    for (const k of [0, 1] as const) {
-      for (let row = 0; row < rows; row += 1) {
-        const column = first + row, [x, y] = directions[column % chords] ?? [1, 0], radius = Math.fround(r[k][column] ?? 0);
-        if (smooth) [nz, nr] = smooth[k];
-        else own(column);
-        positions[place] = radius * x + 0;
-        normals[place++] = nr * x;
-        positions[place] = radius * y + 0;
-        normals[place++] = nr * y;
-        positions[place] = (z[k][column] ?? 0) + 0;
-        normals[place++] = nz;
-      }
-    }
-    for (let row = 0; row < count; row += 1) {
-      const p = begin + row, q = p + rows, far = q + 1, over = p + 1;
-      // Where rows end at one place, and on the axis, a triangle may be none.
-      if (!equal(p, q) && !equal(q, far) && !equal(p, far)) {
-        index[n++] = p;
-        index[n++] = q;
-        index[n++] = far;
-      }
-      if (!equal(p, far) && !equal(far, over) && !equal(p, over)) {
-        index[n++] = p;
-        index[n++] = far;
-        index[n++] = over;
-      }
-    }
-  }
-  return { positions, normals, index: index.slice(0, n) };
 }
 
 function linesOf(all: readonly Surfaces[], turning: Turning, directions: ReturnType<typeof directionsOf>): Float32Array {
@@ -230,14 +188,21 @@ export interface ThreadedBody {
 }
 
 /** Takes what lies in `rings`, areas of the half plane of the stock between the grooves, apart from the rest; for the screen only. */
-function toldApart(all: readonly Surfaces[], rings: readonly Ring[], lead: number, threading: ThreadTurning): ThreadedBody {
+function toldApart(all: readonly Surfaces[], rings: readonly Ring[], floors: Floors, threading: ThreadTurning): ThreadedBody {
   const wide = offset(union(rings), EDGE), directions = directionsOf(threading.chords), { first } = spanOf(threading);
   const isTold = ({ told }: Surfaces, strip: Strip) =>
     told.get(strip)?.some((place) => wide.some((ring) => isInside(ring, place))) ?? false;
   const surface = (which: boolean) =>
-    joinedMeshes(all.map((each) => meshOf(each.strips.filter((s) => isTold(each, s) === which), threading, directions)));
+    joinedMeshes(all.map((each) => stripMesh(each.strips.filter((s) => isTold(each, s) === which), threading, directions)));
   const [standing, lying] = [all.map(({ outline }) => outline(threading.chords)), all.map(({ outline }) => outline(first))];
-  const on = rings.map((ring) => ring.map((p) => at(p.z + (threading.hand * lead) / 4, p.r)));
+  const on = rings.map((ring) => {
+    const { left, right, low, high } = boxAround([ring]);
+    const { lead = 0, hand = 1 } = floors.find(({ side, reach }) => {
+      const ends = reach(side === 1 ? high : -low);
+      return ends && ends[0] < right && ends[1] > left;
+    }) ?? {};
+    return ring.map((p) => at(p.z + (hand * lead) / 4, p.r));
+  });
   const faces = (of: typeof intersection) => threading.quarterCut ? cutFaces(of(standing, rings), of(lying, on)) : NO_MESH;
   return {
     plain: { surface: surface(false), section: faces(difference), edges: linesOf(all, threading, directions) },
@@ -260,17 +225,18 @@ export function threadedBody(
   threading: ThreadTurning,
   rings: readonly Ring[] = [],
 ): ThreadedBody | null {
-  const floors: Floors = { 1: threadFloor(cuts, 1, threading.hand), "-1": threadFloor(cuts, -1, threading.hand) };
-  const profiles = base.flatMap((ring) => profileOf(parted(ring, floors)) ?? []);
+  const floors = threadFloors(cuts, threading.hand);
+  if (!floors) return null;
+  const profiles = base.flatMap((ring) => profileOf(parted(ring, floors, threading.finish), threading.finish) ?? []);
   const surfaces = profiles.map((profile) => surfacesOf(profile, floors, threading));
   const all = surfaces.flatMap((each) => each ?? []);
   if (all.length < surfaces.length || all.length === 0) return null;
   const upright = all.map(({ outline }) => outline(threading.chords)), [wanted, full] = [areaOf(stock), areaOf(base)];
   if (Math.abs(areaOf(upright) - wanted) > AMISS * (full - wanted) + SAME) return null;
-  if (rings.length > 0) return toldApart(all, rings, (floors[1] ?? floors["-1"])?.lead ?? 0, threading);
+  if (rings.length > 0) return toldApart(all, rings, floors, threading);
   const directions = directionsOf(threading.chords), { first } = spanOf(threading);
   const plain: Solid = {
-    surface: joinedMeshes(all.map(({ strips }) => meshOf(strips, threading, directions))),
+    surface: joinedMeshes(all.map(({ strips }) => stripMesh(strips, threading, directions))),
     section: threading.quarterCut ? cutFaces(upright, all.map(({ outline }) => outline(first))) : NO_MESH,
     edges: linesOf(all, threading, directions),
   };

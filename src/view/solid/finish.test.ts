@@ -1,0 +1,78 @@
+import { expect, test } from "vitest";
+import { at, type Ring } from "../../kernel/point.ts";
+import type { Move } from "../../kernel/move.ts";
+import { feed } from "../../kernel/units.ts";
+import { shippedTools } from "../../program/shipped-tools.ts";
+import { simulate } from "../../sim/simulate.ts";
+import { playerOf } from "../../sim/stock.ts";
+import { surfacesOf } from "../material/surfaces.ts";
+import { finishOf, LOOKS } from "./finish.ts";
+import { revolved } from "./revolve.ts";
+
+const tool = shippedTools[0] ?? expect.fail("there are tools");
+const rough = { phase: "rough", run: "rough", step: 2, pass: 1 } as const, finish = { phase: "finish", run: "finish", step: 2 } as const;
+const BLANK: Ring = [at(-63.7, 0), at(0.8, 0), at(0.8, 25.3), at(-63.7, 25.3)];
+const PITCH = 0.31;
+const moves: readonly Move[] = [
+  { kind: "rapid", to: at(2.3, 22.37), ...rough },
+  { kind: "feed", to: at(-29.81, 22.37), feed: feed(PITCH), feedUnit: "mm/rev", ...rough },
+  { kind: "rapid", to: at(2.3, 26), ...rough },
+  { kind: "rapid", to: at(2.3, 21.13), ...finish },
+  { kind: "feed", to: at(-11.3, 21.13), feed: feed(0.12), feedUnit: "mm/rev", ...finish },
+  { kind: "rapid", to: at(-11.3, 26), ...finish },
+  { kind: "rapid", to: at(-15.3, 26), ...finish },
+  // Runs over what the first cut left and takes nothing there.
+  { kind: "rapid", to: at(-15.3, 22.37), ...finish },
+  { kind: "feed", to: at(-24.9, 22.37), feed: feed(0.12), feedUnit: "mm/rev", ...finish },
+];
+const steps = moves.map((move, i) => ({
+  from: moves[i - 1]?.to ?? at(2.3, 26),
+  move,
+  tool,
+  block: 3,
+  operation: 0,
+  seconds: 1,
+}));
+const player = playerOf(simulate({ blank: [BLANK], steps, operations: [], unproved: [] })), surfaces = surfacesOf(steps);
+
+/** The level sides of what is turned, by radius: from where to where they look how, and the turns told at both ends. */
+function level(step: number) {
+  const now = { step, fraction: 0 }, rings = player.at(now), told = finishOf(rings, surfaces, now);
+  const { positions, looks, index } = revolved(rings, { chords: 32, quarterCut: true, finish: told }).surface;
+  const out = new Map<string, readonly [number, number, number, number]>();
+  for (let i = 0; i < index.length; i += 3) {
+    const ends = [0, 1, 2].map((k) => index[i + k] ?? 0).map((c) => ({
+      z: positions[3 * c + 2] ?? 0,
+      r: Math.hypot(positions[3 * c] ?? 0, positions[3 * c + 1] ?? 0),
+      texture: looks?.[2 * c] ?? -1,
+      turn: looks?.[2 * c + 1] ?? -1,
+    })).sort((a, b) => a.z - b.z);
+    const [p, , q] = ends;
+    if (!p || !q || q.z - p.z < 1 || Math.abs(p.r - q.r) > 0.001) continue;
+    expect(ends.every(({ texture }) => texture === p.texture)).toBe(true);
+    out.set(`${LOOKS[p.texture] ?? "?"} ${p.r.toFixed(2)} ${p.z.toFixed(1)}`, [p.z, q.z, p.turn, q.turn]);
+  }
+  return { of: [...out.keys()].sort(), out, textures: told.textures };
+}
+
+test("what came, what was roughed and what was finished is told at every corner, and parted where it changes", () => {
+  expect(level(0)).toMatchObject({ of: ["raw 25.30 -63.7"], textures: ["raw"] });
+  expect(level(3)).toMatchObject({ of: ["raw 25.30 -63.7", "rough 22.37 -29.0"], textures: ["raw", "rough"] });
+  // The nose, 0.8 mm, touches a level surface so much before the tip.
+  expect(level(steps.length).of).toEqual([
+    "finished 21.13 -10.5",
+    "finished 22.37 -24.1",
+    "raw 25.30 -63.7",
+    "rough 22.37 -14.5",
+    "rough 22.37 -29.0",
+  ]);
+});
+
+test("marks of the feed lie one turn of the work apart, on rough surfaces only", () => {
+  const { out } = level(3), [from, to, first, last] = out.get("rough 22.37 -29.0") ?? expect.fail("it was roughed");
+  expect(Math.abs(last - first)).toBeCloseTo((to - from) / PITCH, 3);
+  // The first turn is counted from where the move begins.
+  expect(Math.abs(last)).toBeCloseTo((2.3 - to) / PITCH, 3);
+  const finished = level(steps.length).out.get("finished 21.13 -10.5") ?? expect.fail("it was finished");
+  expect([finished[2], finished[3]]).toEqual([0, 0]);
+});
