@@ -281,15 +281,18 @@ export class Machine {
 
   /** Adds motions of the tool, for which there is room: the first of them goes on from where it was brought. */
   take(steps: readonly Step[], index: number): void {
-    const [first, ...others] = steps;
+    const [first] = steps;
     if (!first) return;
     this.log.countsFrom(this.now.datum.x, this.now.datum.z);
     this.log.turnsAt(this.now.spindle, this.now.backwards);
     const { brought } = this.place;
     this.log.steps.push(brought === null ? first : { ...first, broughtBy: this.log.numbers[brought] ?? 0 });
-    for (const step of others) this.log.steps.push(step);
+    const block = this.log.inProgram(index), count = steps.length;
+    this.log.stepBlocks.push(block);
+    for (let i = 1; i < count; i += 1) {
+      this.log.steps.push(steps[i] as Step);
+      this.log.stepBlocks.push(block);
+    }
     if (brought !== null) this.setPlace({ brought: null });
-    const block = this.log.inProgram(index);
-    for (const _ of steps) this.log.stepBlocks.push(block);
   }
 }

@@ -3,10 +3,9 @@ import type { Step } from "../kernel/step.ts";
 import { pathOf } from "../kernel/time.ts";
 import { CHORD, SAME } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/tool.ts";
-import { part, type Ring } from "../kernel/point.ts";
-import { boxOf } from "../kernel/box.ts";
+import { part, type Pt } from "../kernel/point.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
-import type { ConvexPiece } from "./piece.ts";
+import { convexPieceOf, type ConvexPiece } from "./piece.ts";
 import type { PlayPosition } from "./simulation.ts";
 import { sweptBy } from "./sweep.ts";
 
@@ -14,13 +13,14 @@ import { sweptBy } from "./sweep.ts";
 export interface TouchIndex {
   /** The latest cutting move after `after` that has begun at `now` and touches a place; −1 where there is none. */
   readonly latest: (z: number, r: number, now: PlayPosition, after: number) => number;
+  /** The same for another run: what begins with the same steps is not looked through again. */
+  readonly of: (steps: readonly Step[]) => TouchIndex;
 }
 
-/** Columns along Z, and the most entries worth keeping in all of them. */
-const COLUMNS = 256;
-const ENTRIES = 2_000_000;
 /** Sweeps that are remembered. */
 const MOST = 2000;
+/** So many steps are one block, and so many blocks one group, as powers of two. */
+const BLOCK = 5, GROUP = 10;
 
 const cuts = ({ move, from }: Step) => move.kind !== "rapid" && (move.to.z !== from.z || move.to.r !== from.r);
 
@@ -28,8 +28,10 @@ const cuts = ({ move, from }: Step) => move.kind !== "rapid" && (move.to.z !== f
 function wayBox({ from, move }: Step): Box {
   const path = pathOf(from, move);
   if (path.kind === "arc") {
-    const { z, r } = path.centre, { startRadius, endRadius } = part.polarOf(path), size = Math.max(startRadius, endRadius);
-    return { left: z - size, right: z + size, low: r - size, high: r + size };
+    // An arc whose ends lie on two circles reaches farther than one round its beginning.
+    const { startRadius, endRadius } = part.polarOf(path), { left, right, low, high } = part.boxOf(path);
+    const by = SAME + Math.abs(startRadius - endRadius);
+    return { left: left - by, right: right + by, low: low - by, high: high + by };
   }
   return {
     left: Math.min(from.z, move.to.z),
@@ -48,58 +50,99 @@ function touches({ box, sides }: ConvexPiece, z: number, r: number): boolean {
   return sides.length > 0;
 }
 
-/** The boxes of all sweeps, in columns along Z; built when it is first asked. */
-function columnsOf(steps: readonly Step[], outlineOf: (tool: Tool) => { readonly box: Box }) {
-  const boxes = new Float64Array(4 * steps.length).fill(NaN);
-  let [left, right] = [Infinity, -Infinity];
-  steps.forEach((step, i) => {
-    if (!cuts(step)) return;
-    const way = wayBox(step), { box } = outlineOf(step.tool);
-    const low = way.low + box.low;
-    // What is swept beyond the axis is swept on this side.
-    const near = low < 0 ? 0 : low;
-    boxes.set([way.left + box.left - SAME, way.right + box.right + SAME, near - SAME, Math.max(way.high + box.high, -low) + SAME], 4 * i);
-    left = Math.min(left, way.left + box.left - SAME);
-    right = Math.max(right, way.right + box.right + SAME);
-  });
-  const count = Math.max(1, Math.min(COLUMNS, Math.floor(ENTRIES / Math.max(1, steps.length))));
-  const perMm = right > left ? count / (right - left) : 0;
-  const columnOf = (z: number) => Math.max(0, Math.min(count - 1, Math.floor((z - left) * perMm)));
-  const lists: number[][] = Array.from({ length: count }, () => []);
-  for (let i = 0; i < steps.length; i += 1) {
-    const [from, to] = [boxes[4 * i] as number, boxes[4 * i + 1] as number];
-    if (!(from <= to)) continue;
-    for (let c = columnOf(from); c <= columnOf(to); c += 1) lists[c]?.push(i);
+/**
+ * Whether a convex outline may touch a place while its tip stands somewhere in a box: none of its sides has all of them beyond it. The
+ * sides of a piece lie a little further in than those of its ring, so SAME beyond a side of the ring is more than enough.
+ */
+function mayTouch({ sides, box }: ConvexPiece, way: Box, z: number, r: number): boolean {
+  const left = z - way.right, right = z - way.left, low = r - way.high, high = r - way.low;
+  if (!(left <= box.right + SAME && right >= box.left - SAME && low <= box.high + SAME && high >= box.low - SAME)) return false;
+  for (let i = 0; i < sides.length; i += 3) {
+    const nz = sides[i] as number, nr = sides[i + 1] as number;
+    if (nz * (nz > 0 ? left : right) + nr * (nr > 0 ? low : high) - (sides[i + 2] as number) > 2 * SAME) return false;
   }
-  return {
-    listAt: (z: number): readonly number[] => (z < left || z > right ? [] : lists[columnOf(z)] ?? []),
-    holds: (i: number, z: number, r: number) =>
-      z >= (boxes[4 * i] as number) && z <= (boxes[4 * i + 1] as number) && r >= (boxes[4 * i + 2] as number)
-      && r <= (boxes[4 * i + 3] as number),
-  };
+  return true;
 }
 
-/** How many entries of an ascending list are not greater than a number. */
-function countUpTo(list: readonly number[], most: number): number {
-  let [low, high] = [0, list.length];
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if ((list[middle] as number) <= most) low = middle + 1;
-    else high = middle;
+/** The same for a tip that goes straight: there is a moment at which the place lies beyond none of the sides. */
+function mayTouchAlong({ sides, box }: ConvexPiece, from: Pt, to: Pt, z: number, r: number): boolean {
+  if (z < Math.min(from.z, to.z) + box.left - SAME || z > Math.max(from.z, to.z) + box.right + SAME) return false;
+  if (r < Math.min(from.r, to.r) + box.low - SAME || r > Math.max(from.r, to.r) + box.high + SAME) return false;
+  let [begin, end] = [0, 1];
+  for (let i = 0; i < sides.length; i += 3) {
+    const nz = sides[i] as number, nr = sides[i + 1] as number;
+    const first = nz * (z - from.z) + nr * (r - from.r) - (sides[i + 2] as number) - 2 * SAME;
+    const last = nz * (z - to.z) + nr * (r - to.r) - (sides[i + 2] as number) - 2 * SAME;
+    if (first > 0 && last > 0) return false;
+    if (first > 0) begin = Math.max(begin, first / (first - last));
+    else if (last > 0) end = Math.min(end, first / (first - last));
+    if (begin > end) return false;
   }
-  return low;
+  return true;
+}
+
+/** Where the tips of some cuts go: a box, and their tool; null where it is more than one. */
+interface Ways extends Box {
+  readonly tool: Tool | null;
+}
+
+/** All of some ways, or null where there are none. */
+function around(all: Iterable<Ways | null>): Ways | null {
+  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity], tool: Tool | null | undefined;
+  for (const way of all) {
+    if (!way) continue;
+    left = Math.min(left, way.left);
+    right = Math.max(right, way.right);
+    low = Math.min(low, way.low);
+    high = Math.max(high, way.high);
+    tool = tool === undefined || tool === way.tool ? way.tool : null;
+  }
+  return tool === undefined ? null : { left, right, low, high, tool };
+}
+
+/** The way of a step that cuts; what is not finite sweeps nothing. */
+function wayOf(step: Step): Ways | null {
+  if (!cuts(step)) return null;
+  const way = wayBox(step);
+  return Number.isFinite(way.left + way.right + way.low + way.high) ? { ...way, tool: step.tool } : null;
+}
+
+/** The steps of a run with the ways of its blocks and groups of steps. */
+interface Blocks {
+  readonly steps: readonly Step[];
+  readonly blocks: readonly (Ways | null)[];
+  readonly groups: readonly (Ways | null)[];
+}
+
+/** Of lists of so many each. */
+const counted = (count: number, power: number) => Math.ceil(count / 2 ** power);
+
+/** `before`: another run, whose blocks are those of this one where they have the very same steps. */
+function blocksOf(steps: readonly Step[], before: Blocks | null): Blocks {
+  const isSame = (from: number, to: number): boolean => {
+    if (!before || to > before.steps.length) return false;
+    for (let i = from; i < to; i += 1) if (steps[i] !== before.steps[i]) return false;
+    return true;
+  };
+  const blocks = Array.from({ length: counted(steps.length, BLOCK) }, (_, i) => {
+    const from = i << BLOCK, to = Math.min(steps.length, from + (1 << BLOCK));
+    return isSame(from, to) ? before?.blocks[i] ?? null : around(steps.slice(from, to).map(wayOf));
+  });
+  const each = GROUP - BLOCK;
+  const groups = Array.from({ length: counted(blocks.length, each) }, (_, i) => around(blocks.slice(i << each, (i + 1) << each)));
+  return { steps, blocks, groups };
 }
 
 /** Prepares the moves of a run to be asked which of them touches a place. */
-export function touchIndex(steps: readonly Step[]): TouchIndex {
-  const outlines = new Map<Tool, { readonly ring: Ring; readonly box: Box }>();
-  const outlineOf = (tool: Tool) => {
-    const ring = outlines.get(tool)?.ring ?? insertOutline(tool, CHORD);
-    const made = outlines.get(tool) ?? { ring, box: boxOf(ring) };
+export const touchIndex = (steps: readonly Step[]): TouchIndex => indexOf(steps, null, new WeakMap());
+
+function indexOf(steps: readonly Step[], before: Blocks | null, outlines: WeakMap<Tool, ConvexPiece>): TouchIndex {
+  const outlineOf = (tool: Tool): ConvexPiece => {
+    const made = outlines.get(tool) ?? convexPieceOf(insertOutline(tool, CHORD));
     outlines.set(tool, made);
     return made;
   };
-  let columns: ReturnType<typeof columnsOf> | null = null;
+  let made: Blocks | null = null;
   const whole = new Map<number, readonly ConvexPiece[]>();
   let running: { readonly step: number; readonly fraction: number; readonly pieces: readonly ConvexPiece[] } | null = null;
 
@@ -116,16 +159,39 @@ export function touchIndex(steps: readonly Step[]): TouchIndex {
     return have;
   }
 
+  /** What is swept beyond the axis is swept on this side: there it is looked for as well. */
+  function mayBeAt(ways: Ways | null, z: number, r: number): boolean {
+    if (!ways?.tool) return ways !== null;
+    const outline = outlineOf(ways.tool);
+    return mayTouch(outline, ways, z, r) || (ways.low + outline.box.low < SAME && mayTouch(outline, ways, z, -r));
+  }
+
+  function mayCut(step: Step, z: number, r: number): boolean {
+    if (!cuts(step)) return false;
+    const { from, move, tool } = step;
+    if (move.kind !== "feed") return mayBeAt(wayOf(step), z, r);
+    const outline = outlineOf(tool), low = Math.min(from.r, move.to.r) + outline.box.low;
+    return mayTouchAlong(outline, from, move.to, z, r) || (low < SAME && mayTouchAlong(outline, from, move.to, z, -r));
+  }
+
   return {
     latest(z, r, now, after) {
-      columns ??= columnsOf(steps, outlineOf);
-      const list = columns.listAt(z);
-      for (let k = countUpTo(list, now.fraction > 0 ? now.step : now.step - 1) - 1; k >= 0; k -= 1) {
-        const i = list[k] as number;
-        if (i <= after) return -1;
-        if (columns.holds(i, z, r) && piecesOf(i, now).some((piece) => touches(piece, z, r))) return i;
+      const { blocks, groups } = made ??= blocksOf(steps, before);
+      let i = Math.min(steps.length - 1, now.fraction > 0 ? now.step : now.step - 1), block = -1, group = -1;
+      for (; i > after; i -= 1) {
+        if (group !== i >> GROUP) {
+          group = i >> GROUP;
+          if (!mayBeAt(groups[group] ?? null, z, r)) i = group << GROUP;
+        }
+        if (block !== i >> BLOCK) {
+          block = i >> BLOCK;
+          if (!mayBeAt(blocks[block] ?? null, z, r)) i = block << BLOCK;
+        }
+        const step = steps[i];
+        if (step && mayCut(step, z, r) && piecesOf(i, now).some((piece) => touches(piece, z, r))) return i;
       }
       return -1;
     },
+    of: (next) => indexOf(next, made ?? before, outlines),
   };
 }

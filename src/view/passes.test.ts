@@ -3,7 +3,7 @@ import { at } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { feed } from "../kernel/units.ts";
 import { shippedTools } from "../program/shipped-tools.ts";
-import { MOST_STRETCHES, pathStretches, progressOf, wholePath } from "./passes.ts";
+import { MOST_STRETCHES, pathStretches, progressOf, wholePath, type KnownLines } from "./passes.ts";
 import { toolpath } from "./scene.ts";
 
 /** So many passes of one call: in by rapid, a cut, out and back. */
@@ -64,4 +64,18 @@ test("what is behind the running step is done, forwards and back", () => {
   const stretches = pathStretches(passes(4));
   const at = (step: number) => stretches.map((each) => progressOf(each, step)[0]).join("");
   expect([0, 3, 4, 11, 15, 16, 5].map(at)).toEqual(["rccc", "rccc", "drcc", "ddrc", "dddr", "dddd", "drcc"]);
+});
+
+test("where a call of many changes, the lines of all others are those of before", () => {
+  const call = (operation: number, count: number) => passes(count, operation);
+  const calls = Array.from({ length: 31 }, (_, i) => call(i, 33 + (i % 3))), known: KnownLines = new WeakMap();
+  const stretchesOf = (steps: readonly Step[]) => pathStretches(steps, 0, steps.length - 1, 24, known);
+  const before = stretchesOf(calls.flat()), changed = stretchesOf(calls.with(20, call(20, 41)).flat());
+  expect(before).toHaveLength(31);
+  const isNew = changed.map(({ shapes }, i) => shapes !== before[i]?.shapes);
+  expect(isNew.flatMap((is, i) => (is ? [i] : []))).toEqual([20]);
+  expect(changed.map(({ shapes }) => shapes)).toEqual(
+    pathStretches(calls.with(20, call(20, 41)).flat(), 0, undefined, 24).map((s) => s.shapes),
+  );
+  expect(changed[25]?.first).toBe((before[25]?.first ?? 0) + 4 * (41 - 35));
 });

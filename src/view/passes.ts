@@ -1,11 +1,17 @@
 import type { Step } from "../kernel/step.ts";
-import { PATH_ROLES, toolpath, type Shape } from "./scene.ts";
+import { moveData, startData } from "./path.ts";
+import { PATH_ROLES, pathRole, tipWays, toolpath, type Shape, type TipWays } from "./scene.ts";
+
+/** The lines that draw some moves, and where their tips go. */
+interface Drawn {
+  readonly shapes: readonly Shape[];
+  readonly ways: readonly TipWays[];
+}
 
 /** Moves that follow one another, first and last included, and the lines that draw them. */
-export interface PathStretch {
+export interface PathStretch extends Drawn {
   readonly first: number;
   readonly last: number;
-  readonly shapes: readonly Shape[];
 }
 
 /** Stretches of a path that may change their look one by one: more would cost every picture, and could not be told apart. */
@@ -18,19 +24,55 @@ function begins(before: Step, step: Step): boolean {
   return is.pass === undefined && is.kind === "rapid" && was.kind !== "rapid";
 }
 
+const beginsCall = (before: Step, step: Step): boolean => step.operation !== null && step.operation !== before.operation;
+
+/**
+ * Steps of a stretch at least, of so many in all: one of 1, 2, 3, 4, 6, 8, 12 …, which stays the same while a path grows a little, so that
+ * what nobody has changed is the same stretches again.
+ */
+function leastOf(count: number, most: number): number {
+  const share = Math.max(1, count / most), power = 2 ** Math.ceil(Math.log2(share));
+  return power > 2 && 0.75 * power >= share ? 0.75 * power : power;
+}
+
+/** The lines of stretches by the first of their steps that a cycle made: what goes the same way is not made again. */
+export type KnownLines = WeakMap<Step, { readonly steps: readonly Step[]; readonly drawn: Drawn }>;
+
+/** Steps of calls that stay the same are the very same; what moves between them is made anew with each run. */
+const drawsAlike = (a: Step | undefined, b: Step | undefined): boolean =>
+  a === b
+  || (a?.operation === null && b?.operation === null && a.move.kind !== "arc" && pathRole(a.move) === pathRole(b.move)
+    && moveData(a.from, a.move) === moveData(b.from, b.move) && startData(a.from) === startData(b.from));
+
+function linesOf(steps: readonly Step[], from: number, to: number, known: KnownLines): Drawn {
+  let called = from;
+  while (called < to - 1 && steps[called]?.operation === null) called += 1;
+  const key = steps[called], have = key && known.get(key);
+  if (have?.steps.length === to - from && have.steps.every((step, i) => drawsAlike(step, steps[from + i]))) return have.drawn;
+  const own = steps.slice(from, to), drawn = { shapes: toolpath(own), ways: tipWays(own) };
+  if (key) known.set(key, { steps: own, drawn });
+  return drawn;
+}
+
 /**
  * A part of a run as stretches of whole passes, in their order, each with a path for every form of line. Where there are too many
- * passes, several that follow one another are one stretch.
+ * passes, several that follow one another are one stretch; but a call begins a stretch unless the one before would be very short.
  */
-export function pathStretches(steps: readonly Step[], first = 0, last = steps.length - 1, most = MOST_STRETCHES): readonly PathStretch[] {
-  const least = Math.ceil((last - first + 1) / most);
+export function pathStretches(
+  steps: readonly Step[],
+  first = 0,
+  last = steps.length - 1,
+  most = MOST_STRETCHES,
+  known: KnownLines = new WeakMap(),
+): readonly PathStretch[] {
+  const least = leastOf(last - first + 1, most);
   const out: PathStretch[] = [];
   let from = first;
   for (let i = first; i <= last; i += 1) {
-    const [here, next] = [steps[i], steps[i + 1]];
-    const ends = i === last || (i - from + 1 >= least && here !== undefined && next !== undefined && begins(here, next));
+    const here = steps[i] as Step, next = steps[i + 1], size = i - from + 1;
+    const ends = i === last || !next || (size >= least ? begins(here, next) : 2 * size >= least && beginsCall(here, next));
     if (!ends) continue;
-    out.push({ first: from, last: i, shapes: toolpath(steps.slice(from, i + 1)) });
+    out.push({ first: from, last: i, ...linesOf(steps, from, i + 1, known) });
     from = i + 1;
   }
   return out;
@@ -39,7 +81,9 @@ export function pathStretches(steps: readonly Step[], first = 0, last = steps.le
 /** All stretches as one path for each form of line. */
 export const wholePath = (stretches: readonly PathStretch[]): readonly Shape[] =>
   PATH_ROLES.flatMap((role) => {
-    const d = stretches.map(({ shapes }) => shapes.find((shape) => shape.role === role)?.d ?? "").join("");
+    // Put together by and by, a long text is only written out when somebody reads it.
+    let d = "";
+    for (const { shapes } of stretches) d += shapes.find((shape) => shape.role === role)?.d ?? "";
     return d ? [{ role, d }] : [];
   });
 

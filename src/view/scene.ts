@@ -28,6 +28,8 @@ export interface SceneParts {
   readonly steps: readonly Step[];
   /** The lines of their path where they are made already. */
   readonly path?: readonly Shape[];
+  /** Where their tips go, where that is known already. */
+  readonly ways?: readonly TipWays[];
   /** A contour as far as it is known, where it is not whole yet. */
   readonly sketch?: readonly Segment[];
   /** Points beside all that which are to be seen as well. */
@@ -82,28 +84,35 @@ function insertBox(way: Bounds, tool: Tool): Bounds {
     : way;
 }
 
-/** The box round every place of every insert. */
-export function workingBox(steps: readonly Step[]): Bounds | null {
-  const tips = new Map<Tool, Pt[]>();
-  for (const { from, move, tool } of steps) {
-    const list = tips.get(tool) ?? [];
-    list.push(from, move.to);
-    tips.set(tool, list);
-  }
-  let all: Bounds | null = null;
-  for (const [tool, list] of tips) {
-    const way = boundsOf(list);
-    if (way) all = joined(all, insertBox(way, tool));
-  }
-  return all;
+/** Where the tip of a tool goes in some moves, all of cycles or all of path blocks. */
+export interface TipWays extends Bounds {
+  readonly tool: Tool;
+  readonly inCycle: boolean;
 }
 
-function* tipsOf(steps: readonly Step[]): Generator<Pt> {
-  for (const { from, move } of steps) {
-    yield from;
-    yield move.to;
+const grown = (box: TipWays | undefined, tool: Tool, inCycle: boolean, from: Pt, to: Pt): TipWays => ({
+  tool,
+  inCycle,
+  left: Math.min(box?.left ?? from.z, from.z, to.z),
+  right: Math.max(box?.right ?? from.z, from.z, to.z),
+  low: Math.min(box?.low ?? from.r, from.r, to.r),
+  high: Math.max(box?.high ?? from.r, from.r, to.r),
+});
+
+/** The boxes of all tips of some steps. */
+export function tipWays(steps: readonly Step[]): readonly TipWays[] {
+  const own = new Map<Tool, TipWays>(), between = new Map<Tool, TipWays>();
+  for (const { from, move, tool, operation } of steps) {
+    const boxes = operation === null ? between : own;
+    boxes.set(tool, grown(boxes.get(tool), tool, operation !== null, from, move.to));
   }
+  return [...own.values(), ...between.values()];
 }
+
+/** The box round every place of every insert. */
+export const workingBox = (ways: readonly TipWays[]): Bounds | null =>
+  ways.reduce<Bounds | null>((all, way) => (way.left <= way.right && way.low <= way.high ? joined(all, insertBox(way, way.tool)) : all),
+    null);
 
 /** A picture of nothing still has a place: 100 mm of axis. */
 const EMPTY: Bounds = { left: -80, right: 20, low: 0, high: 40 };
@@ -112,9 +121,9 @@ const EMPTY: Bounds = { left: -80, right: 20, low: 0, high: 40 };
 const AIR = 0.02;
 
 /** The picture frames the cycles; positioning from far away (a tool change) does not make the work small. */
-function framed(steps: readonly Step[]): readonly Step[] {
-  const cutting = steps.filter((step) => step.operation !== null);
-  return cutting.length > 0 ? cutting : steps;
+function framed(ways: readonly TipWays[]): readonly TipWays[] {
+  const cutting = ways.filter(({ inCycle }) => inCycle);
+  return cutting.length > 0 ? cutting : ways;
 }
 
 /** The finished contours of a run. */
@@ -122,18 +131,18 @@ export const contourShapes = (contours: SceneParts["contours"]): readonly Shape[
   contours.map((contour) => ({ role: "contour", d: segmentData(contour) }));
 
 /** Builds the still part of the picture. */
-export function sceneOf({ blank, contours, steps, path: drawn, sketch = [], near = [], waits = null }: SceneParts): Scene {
+export function sceneOf({ blank, contours, steps, path: drawn, ways, sketch = [], near = [], waits = null }: SceneParts): Scene {
   const material = boundsOf(blank.flat());
-  const path = boundsOf(tipsOf(steps));
+  const all = ways ?? tipWays(steps), low = all.reduce((least, way) => Math.min(least, way.low), 0);
   const outline = boundsOf([...contours, sketch].flatMap((c) => [...pointsOf(c)]).concat(near));
-  const chuck = material ? chuckDrawing(material, joined(workingBox(steps), outline)) : null;
+  const chuck = material ? chuckDrawing(material, joined(workingBox(all), outline)) : null;
   const shapes: Shape[] = [];
   if (blank.length > 0) shapes.push({ role: "blank", d: ringData(blank) });
   if (sketch.length > 0) shapes.push({ role: "sketch", d: segmentData(sketch) });
   shapes.push(...contourShapes(contours), ...(drawn ?? toolpath(steps)));
   const tip = boundsOf(waits ? [waits.at] : []), standing = tip && waits?.tool ? insertBox(tip, waits.tool) : tip;
-  const all = joined(joined(material, joined(joined(workingBox(framed(steps)), standing), outline)), chuck?.seen ?? null) ?? EMPTY;
+  const seen = joined(joined(material, joined(joined(workingBox(framed(all)), standing), outline)), chuck?.seen ?? null) ?? EMPTY;
   // Below the axis there is the other half of the work.
-  const axis = { ...all, low: Math.min(0, path?.low ?? 0, -(material?.high ?? 0)) };
+  const axis = { ...seen, low: Math.min(low, -(material?.high ?? 0)) };
   return { shapes, chuck, bounds: grownBounds(axis, AIR * Math.max(axis.right - axis.left, axis.high - axis.low)) };
 }

@@ -123,7 +123,11 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const typed = run.operations.every((o) => o.plan.contour.length === 0) ? known : null;
   const waiting = run.steps.length === 0 ? typed : null;
   const passes = stretchesOf(run);
-  const scene = useMemo(() => sceneOf({ ...partsOf(run), path: passes.whole, ...(typed && knownParts(typed, run)) }), [run, typed, passes]);
+  const scene = useMemo(() => sceneOf({ ...partsOf(run), path: passes.whole, ways: passes.ways, ...(typed && knownParts(typed, run)) }), [
+    run,
+    typed,
+    passes,
+  ]);
   const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
   const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
   const measuring = useMeasuring();

@@ -1,9 +1,15 @@
 import { memo, useEffect, useRef } from "react";
 import { progressOf, type PathStretch } from "../../view/passes.ts";
+import type { Shape } from "../../view/scene.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
 /** Pictures between two changes of the lines while it plays: the whole drawing is painted anew with each; of a long path, seldom. */
 const PICTURES = { usual: 8, long: 60 } as const;
+
+/** The lines of a stretch: those of one that has not changed are left as they are. */
+const StretchLines = memo(function StretchLines({ shapes }: { readonly shapes: readonly Shape[] }) {
+  return <g>{shapes.map(({ role, d }) => <path key={role} className={`shape-${role}`} d={d} />)}</g>;
+});
 
 /**
  * The path by its passes: what is to come is quiet, what runs is strong, what is done fades. Only where a pass begins or ends is a class
@@ -30,19 +36,14 @@ export const PassLines = memo(
           if (progress === said[i]) return;
           said[i] = progress;
           changed = true;
-          element.children[i]?.setAttribute("class", `pass-${progress}`);
+          const lines = element.children[i], name = `pass-${progress}`;
+          if (lines?.getAttribute("class") !== name) lines?.setAttribute("class", name);
         });
         if (changed) waits = isLong ? PICTURES.long : PICTURES.usual;
       };
       paint();
       return playback.subscribe(paint);
     }, [stretches, playback, isLong]);
-    return (
-      <g ref={group} className="lathe-paths">
-        {stretches.map(({ first, shapes }) => (
-          <g key={first}>{shapes.map(({ role, d }) => <path key={role} className={`shape-${role}`} d={d} />)}</g>
-        ))}
-      </g>
-    );
+    return <g ref={group} className="lathe-paths">{stretches.map(({ shapes }, i) => <StretchLines key={i} shapes={shapes} />)}</g>;
   },
 );

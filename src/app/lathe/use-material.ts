@@ -56,7 +56,7 @@ export function useMaterial(
   }
   if (result?.simulation && result.simulation !== held?.proved.simulation) {
     const { run, simulation } = result;
-    hold({ proved: { run, simulation }, player: playerOf(simulation), surfaces: surfacesOfRun(run) });
+    hold({ proved: { run, simulation }, player: playerOf(simulation), surfaces: surfacesOfRun(run, held?.surfaces) });
     wait(null);
   }
   if (result && !result.simulation && result.run !== waiting?.run) {

@@ -1,8 +1,8 @@
 import { useMemo } from "react";
 import { markedBy, runningPart, type MoveSpan } from "../../program/path-index.ts";
 import type { Run } from "../../program/run-types.ts";
-import { MOST_STRETCHES, pathStretches, wholePath, type PathStretch } from "../../view/passes.ts";
-import type { Shape } from "../../view/scene.ts";
+import { MOST_STRETCHES, pathStretches, wholePath, type KnownLines, type PathStretch } from "../../view/passes.ts";
+import type { Shape, TipWays } from "../../view/scene.ts";
 import { useSettings } from "../settings/settings.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { usePlayback } from "./use-playback.ts";
@@ -21,15 +21,18 @@ const within = (stretches: readonly MoveSpan[]) => (step: number) => stretches.s
 interface Passes {
   readonly stretches: readonly PathStretch[];
   readonly whole: readonly Shape[];
+  readonly ways: readonly TipWays[];
 }
 
 const known = new WeakMap<Run, Passes>();
+const lines: KnownLines = new WeakMap();
 
 /** The path of a run by its passes, and whole; made once of each run. */
 export function stretchesOf(run: Run): Passes {
   const have = known.get(run);
   if (have) return have;
-  const stretches = pathStretches(run.steps), made = { stretches, whole: wholePath(stretches) };
+  const stretches = pathStretches(run.steps, 0, run.steps.length - 1, MOST_STRETCHES, lines),
+    made = { stretches, whole: wholePath(stretches), ways: stretches.flatMap((s) => s.ways) };
   known.set(run, made);
   return made;
 }

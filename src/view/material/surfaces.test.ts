@@ -94,6 +94,27 @@ test("what was asked before changes no answer", () => {
   expect(sides).toBeGreaterThan(100);
 });
 
+test("a run that begins as another one, or is a part of it, has the surfaces that it has alone", () => {
+  const { steps: all } = example, turned = all.map((step, i): Step => (i % 7 === 3 ? { ...step, operation: null } : step));
+  let surfaces = surfacesOf(all), sides = 0;
+  const prefix = fc.record({
+    from: fc.constantFrom(all, turned),
+    until: fc.integer({ min: 30, max: all.length }),
+    speed: fc.constantFrom(960, 730),
+  });
+  fc.assert(fc.property(prefix, ({ from, until, speed }) => {
+    const some = from.slice(0, until), spindleOf = (): Spindle => ({ kind: "constant", speed }), now = { step: until, fraction: 0 };
+    const rings = stockAt(cut, now);
+    surfaces = surfaces.again(some, spindleOf, () => false);
+    const [one, other] = [surfaces, surfacesOf(some, spindleOf)].map((s) =>
+      boundaryIn(rings, s, now, -1000, 1000).edges.map((e) => e.made)
+    );
+    sides += one?.length ?? 0;
+    expect(one).toEqual(other);
+  }), { numRuns: 60 });
+  expect(sides).toBeGreaterThan(100);
+});
+
 test("a window shows the same columns as the whole", () => {
   const surfaces = surfacesOf(example.steps), now = { step: example.steps.length, fraction: 0 };
   const whole = columnsOf(boundaryIn(cut.final, surfaces, now, -1000, 1000).edges, -41.37, 0.137, 500);

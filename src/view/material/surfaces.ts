@@ -6,7 +6,8 @@ import { GRID, SAME } from "../../kernel/tolerance.ts";
 import { ROUGH_RZ, rzByRule } from "../../sim/load/cusp.ts";
 import { feedPerTurn, rpmAt } from "../../sim/load/spindles.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
-import { touchIndex } from "../../sim/touch-index.ts";
+import { sameSteps } from "../../sim/same-step.ts";
+import { touchIndex, type TouchIndex } from "../../sim/touch-index.ts";
 
 /** How a stretch of a boundary looks: as it came, rough, finished, or a flank of a thread. */
 export type Texture = "raw" | "rough" | "finished" | "thread";
@@ -46,6 +47,8 @@ export interface Surfaces {
   readonly of: (side: StockSide, now: PlayPosition) => readonly SurfaceStretch[];
   /** The greatest lead of the threads that have been begun, mm; 0 where there is none. */
   readonly lead: (now: PlayPosition) => number;
+  /** Those of another run, which are sooner told where it begins as this one does. */
+  readonly again: (steps: readonly Step[], spindleOf: (step: number) => Spindle | null, isBackwards: (step: number) => boolean) => Surfaces;
 }
 
 const RAW: Maker = { texture: "raw", step: -1, pitch: 0, from: 0, way: [0, 0], hand: 1 };
@@ -109,14 +112,41 @@ const handOfStep = ({ move, from }: Step, backwards: boolean): ThreadHand => (mo
  * cut runs along is finished, though it took nothing there. `spindleOf` turns feeds per minute into feeds per turn,
  * `isBackwards` tells the hand of threads.
  */
-export function surfacesOf(
+export const surfacesOf = (
   steps: readonly Step[],
   spindleOf: (step: number) => Spindle | null = () => null,
   isBackwards: (step: number) => boolean = () => false,
+): Surfaces => surfacesBy(touchIndex(steps), steps, spindleOf, isBackwards);
+
+/** What was told of the sides of a run. */
+interface Former {
+  readonly steps: readonly Step[];
+  readonly sides: readonly Known[];
+}
+
+function surfacesBy(
+  touched: TouchIndex,
+  steps: readonly Step[],
+  spindleOf: (step: number) => Spindle | null,
+  isBackwards: (step: number) => boolean,
+  before: Former | null = null,
 ): Surfaces {
-  const touched = touchIndex(steps);
   const made = new Map<number, Maker>();
   const known = new Map<number, Known>();
+  let former = before;
+
+  /** A side that was made by steps that both runs begin with is told by them, until a later step touches it. */
+  function remember({ steps: others, sides }: Former): void {
+    const alike = sameSteps(), last = steps.findIndex((step, i) => !others[i] || !alike(step, others[i])) - 1;
+    const common = last < -1 ? steps.length - 1 : last;
+    for (const side of sides) {
+      const isTrue = side.newest <= common && side.stretches.every(({ made: { step, pitch, texture, hand } }) => {
+        const own = madeBy(step);
+        return own.pitch === pitch && own.texture === texture && own.hand === hand;
+      });
+      if (isTrue) known.set(keyOf(side), side.last <= common ? { ...side } : { ...side, last: common, fraction: 0 });
+    }
+  }
 
   function madeBy(step: number): Maker {
     const s = steps[step];
@@ -175,6 +205,8 @@ export function surfacesOf(
   return {
     lead: (now) => threads.reduce((most, t) => (t.step <= now.step ? Math.max(most, t.lead) : most), 0),
     of(side, now) {
+      if (former) remember(former);
+      former = null;
       const last = now.fraction > 0 ? now.step : now.step - 1;
       const key = keyOf(side), have = known.get(key);
       if (have && isSame(have, side) && stillTrue(have, last, now)) return have.stretches;
@@ -185,6 +217,8 @@ export function surfacesOf(
       known.set(key, { ...side, last, fraction: now.fraction, newest, stretches });
       return stretches;
     },
+    again: (next, spindleAt, turnsBack) =>
+      surfacesBy(touched.of(next), next, spindleAt, turnsBack, former ?? { steps, sides: [...known.values()] }),
   };
 }
 

@@ -9,7 +9,7 @@ import type { Tool } from "../../kernel/tool.ts";
 import { boundsOf, joined } from "../bounds.ts";
 import type { Bounds } from "../camera.ts";
 import { chuckDrawing } from "../material/chuck.ts";
-import { workingBox } from "../scene.ts";
+import { tipWays, workingBox } from "../scene.ts";
 import { extruded, plateEdges } from "./extrude.ts";
 import type { Mesh } from "./mesh.ts";
 import { chordsFor, revolved, wholeMesh } from "./revolve.ts";
@@ -60,7 +60,7 @@ export function chuckParts(
   const material = boundsOf(blank.flat());
   if (!material) return null;
   const outline = contours.flat().map(part.boxOf).reduce((box: Bounds | null, each) => joined(box, each), null);
-  const { body, jaw, base, seen } = chuckDrawing(material, joined(workingBox(steps), outline));
+  const { body, jaw, base, seen } = chuckDrawing(material, joined(workingBox(tipWays(steps)), outline));
   const { face, radius, chamfer } = body, back = face - SHOWN * radius;
   const shell = [at(back, 0), at(face, 0), at(face, radius - chamfer), at(face - chamfer, radius), at(back, radius)];
   const solid = revolved([shell], { chords: chordsFor(radius), quarterCut: false });
