@@ -7,6 +7,8 @@ const ASIDE = { x: 18, y: -18 };
 const APART = 24, HALF = 11;
 /** Width that one takes which stands for several places, pixels. */
 const SHARED = 44;
+/** The share of the width of the picture that a row of them may take: more of them would hide what they speak of behind their leaders. */
+const WIDEST = 0.6;
 /** A row of badges stands higher over its places by this much for each of them, up to the second, pixels. */
 const RISE = 5, HIGHEST = 40;
 
@@ -39,8 +41,9 @@ interface Row {
 
 function rowOf(crowd: readonly Asked[], { left, right }: Seen): Row {
   const sorted = crowd.toSorted((a, b) => a.place.x - b.place.x);
-  if (crowd.length * APART <= right - left) return { shares: sorted.map((each) => [each]), pitch: APART };
-  const size = Math.ceil(crowd.length / Math.max(1, Math.floor((right - left) / SHARED)));
+  const room = WIDEST * (right - left);
+  if (crowd.length * APART <= room) return { shares: sorted.map((each) => [each]), pitch: APART };
+  const size = Math.ceil(crowd.length / Math.max(1, Math.floor(room / SHARED)));
   return {
     shares: Array.from({ length: Math.ceil(crowd.length / size) }, (_, i) => sorted.slice(i * size, (i + 1) * size)),
     pitch: SHARED,
