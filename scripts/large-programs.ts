@@ -84,6 +84,38 @@ export function grownProgram(operations: number, moves: number): string {
   }).flat());
 }
 
+/** A plate with a square round which is milled after an approach, and a face that is roughed in so many short cuts at three depths. */
+export function milledProgram(cuts: number): string {
+  const rows = Math.ceil(cuts / 3 / 20);
+  const row = (i: number) => {
+    const [depth, y] = [Math.floor(i / rows), 12 + ((i % rows) * 76) / rows];
+    return times(20, (k) => {
+      const x = 12 + (i % 2 === 0 ? k : 19 - k) * 4;
+      return `L X+${x} Y+${(y + (k % 2) * 0.7).toFixed(3)}${i % rows === 0 && k === 0 ? ` Z-${1 + depth}` : ""} F900`;
+    });
+  };
+  return numbered([
+    "BEGIN PGM MILLED MM",
+    "BLK FORM 0.1 Z X+0 Y+0 Z-20",
+    "BLK FORM 0.2 X+100 Y+100 Z+0",
+    "TOOL DEF 1 L+0 R+3",
+    "TOOL CALL 1 Z S4000",
+    "L X-10 Y-10 R0 FMAX",
+    "L Z-5 R0 F1000 M3",
+    "APPR LT X+5 Y+5 LEN10 RL F300",
+    "L Y+95",
+    "L X+95",
+    "L Y+5",
+    "L X+5",
+    "DEP LT LEN10 F1000",
+    "L Z+2 FMAX",
+    ...times(rows * 3, row).flat(),
+    "L Z+50 FMAX",
+    "M30",
+    "END PGM MILLED MM",
+  ]);
+}
+
 const untilFull = (line: (i: number) => string) => {
   const lines: string[] = [];
   for (let size = 0; size < TEN_MB;) {

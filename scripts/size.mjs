@@ -43,11 +43,19 @@ function largest(namesOf) {
 const worker = readdirSync(join(dist, "assets")).find((name) => /^worker-[\w-]+\.js$/.test(name));
 if (!worker) throw new Error("The worker is not where it is looked for.");
 
+/** A file and those that it cannot start without: the worker is in no manifest. */
+function withImports(file, seen = new Set()) {
+  if (seen.has(file)) return seen;
+  seen.add(file);
+  for (const [, next] of read(file).matchAll(/\bfrom"\.\/([\w-]+\.js)"/g)) withImports(`assets/${next}`, seen);
+  return seen;
+}
+
 const first = new Set([...filesOf("index.html"), ...largest((l) => [`virtual:cycle-menu/${l}`, `src/i18n/${l}/first.ts`])]);
 const dialog = new Set([
   ...first,
   ...union(["src/app/start/begin.ts", "src/app/Workplace.tsx"]),
-  `assets/${worker}`,
+  ...withImports(`assets/${worker}`),
   ...largest((l) => [`src/i18n/${l}/index.ts`, `virtual:cycle-menu/${l}`]),
 ]);
 

@@ -1,12 +1,13 @@
 import type { Locator } from "@playwright/test";
 import type { Context } from "./turnwise.ts";
 
-/** The lathe view: picture, playback, timeline, findings and moves. */
+/** The view of the machine, the lathe or the plane of a milled program: picture, playback, timeline, findings and moves. */
 export class Lathe {
   constructor(private readonly context: Context) {}
 
   get view(): Locator {
-    return this.context.page.getByRole("region", { name: this.context.t.lathe.title, exact: true });
+    const { page, t } = this.context, named = (name: string) => page.getByRole("region", { name, exact: true });
+    return named(t.lathe.title).or(named(t.approach.view));
   }
 
   /** The picture; its name says in words what it shows. */

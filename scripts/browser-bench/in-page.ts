@@ -107,7 +107,7 @@ export function watchDrawing(): void {
   new MutationObserver((records) => {
     for (const { target } of records) {
       const element = target instanceof Element ? target : target.parentElement;
-      if (element?.closest(".lathe-paths")) changed(true);
+      if (element?.closest(".lathe-paths, .plane-picture .still")) changed(true);
       else if (element?.closest(".shape-stock, .lathe-residual")) changed(false);
     }
   }).observe(document, { subtree: true, childList: true, attributes: true, attributeFilter: ["d"] });

@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import type { Turnwise } from "../../e2e/pages/turnwise.ts";
-import { grownProgram } from "../large-programs.ts";
+import { grownProgram, milledProgram } from "../large-programs.ts";
 
 /** What is opened to be measured, and where something is typed into it. */
 export interface MeasuredWork {
@@ -35,6 +35,24 @@ export const WORKS: readonly MeasuredWork[] = [{
   async ask(turnwise) {
     await turnwise.show("prompts");
     await turnwise.dialog.open("Q484");
+  },
+}, {
+  name: "plate",
+  from: [0.1, 0.25, 0.4, 0.55, 0.7],
+  open: ({ editor }) => editor.openFile("PLATE.h", readFileSync("src/examples/plate.h")),
+  async ask({ editor, page }) {
+    await editor.line("APPR LT").click();
+    await editor.show("block");
+    await page.getByRole("button", { name: /^LEN / }).click();
+  },
+}, {
+  name: "milled",
+  from: [0.1, 0.25, 0.4, 0.55, 0.7],
+  open: ({ editor }) => editor.openFile("MILLED.h", Buffer.from(milledProgram(3000))),
+  async ask({ editor, page }) {
+    await editor.line("APPR LT").click();
+    await editor.show("block");
+    await page.getByRole("button", { name: /^LEN / }).click();
   },
 }, {
   name: "grown",

@@ -1,8 +1,11 @@
-import { useCallback, useMemo, useRef } from "react";
+import { useEffect, useMemo, useRef } from "react";
 import type { PlaneStep } from "../../program/plane-types.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
 import { depthStrip, stripAt } from "../../view/approach/depth.ts";
+import { bendsBetween } from "../../view/bends.ts";
+import { glide, type GlideWay } from "../lathe/glide.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
-import { useEachPicture } from "../lathe/use-playback.ts";
+import { JERKS } from "../lathe/Timeline.tsx";
 import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
@@ -11,11 +14,12 @@ export function DepthPicture({ steps, playback }: { readonly steps: readonly Pla
   const t = useTexts().approach, lengths = useLengths();
   const strip = useMemo(() => depthStrip(steps), [steps]);
   const head = useRef<HTMLDivElement>(null);
-  useEachPicture(playback, useCallback(() => {
-    if (!strip || !head.current) return;
-    const { step, fraction } = playback.shown();
-    head.current.style.transform = `translateX(${stripAt(strip, step, fraction) * 100}%)`;
-  }, [strip, playback]));
+  useEffect(() => {
+    if (!strip || !head.current) return undefined;
+    const at = ({ step, fraction }: PlayPosition) => `translateX(${stripAt(strip, step, fraction) * 100}%)`;
+    const bends: GlideWay["bends"] = (track, between, fine) => bendsBetween(track, between, fine, () => false);
+    return glide(head.current, playback, { at, bends, jerks: JERKS }).end;
+  }, [strip, playback]);
   if (!strip) return null;
   const [high, low] = [lengths.signed(strip.high), lengths.signed(strip.low)];
   return (

@@ -1,11 +1,12 @@
-import { useCallback, useEffect, useRef } from "react";
+import { useCallback, useEffect, useMemo, useRef } from "react";
 import { partPoint } from "../../kernel/plane.ts";
 import type { PlaneStep } from "../../program/plane-types.ts";
-import { toScreen } from "../../view/camera.ts";
 import { planeMotionData } from "../../view/approach/motion-data.ts";
 import { spotAt } from "../../view/approach/plane-scene.ts";
+import { movingTip } from "../lathe/carry.ts";
+import { TipCarrier } from "../lathe/TipCarrier.tsx";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
-import { useEachPicture } from "../lathe/use-playback.ts";
+import { useEachReading, usePlayback } from "../lathe/use-playback.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 
 interface Milling {
@@ -16,50 +17,51 @@ interface Milling {
 /** Pixels round the circle for its line, and the arms of the cross in its centre. */
 const LINE = 4, CROSS = 6;
 
-/**
- * The mill from above on a sheet no larger than itself: drawn anew for another radius or another zoom, else moved by one transform, which
- * costs the page no layout and no painting.
- */
+/** The motion that is shown: at the end the last one. */
+const shownMotion = (steps: readonly PlaneStep[], playback: PlaybackStore) => steps[Math.min(playback.shown().step, steps.length - 1)];
+
+/** The mill from above on a sheet no larger than itself: drawn anew for another radius or another zoom, else only carried. */
 export function MillSheet({ viewport, steps, playback }: Milling & { readonly viewport: Viewport }) {
-  const sheet = useRef<SVGSVGElement>(null), body = useRef<SVGCircleElement>(null), cross = useRef<SVGPathElement>(null);
+  const sheet = useRef<SVGSVGElement>(null), body = useRef<SVGCircleElement>(null);
+  const radius = usePlayback(playback, () => shownMotion(steps, playback)?.radius ?? null);
+  const carrying = useMemo(() =>
+    movingTip(playback, ({ step, fraction }) => {
+      const at = spotAt(steps, step, fraction);
+      return at && partPoint(at);
+    }, (step) => steps[step]?.kind === "arc"), [steps, playback]);
   useEffect(() => {
     const element = sheet.current;
-    if (!element) return undefined;
-    let drawn = NaN, half = 0;
-    const place = () => {
-      const { step, fraction } = playback.shown(), at = spotAt(steps, step, fraction), motion = steps[Math.min(step, steps.length - 1)];
-      element.style.visibility = at ? "" : "hidden";
-      if (!at || !motion) return;
-      const camera = viewport.get(), radius = motion.radius * camera.scale;
-      if (radius !== drawn) {
-        drawn = radius;
-        half = Math.ceil(Math.max(radius, CROSS) + LINE);
-        element.setAttribute("width", String(2 * half));
-        element.setAttribute("height", String(2 * half));
-        element.setAttribute("viewBox", `${-half} ${-half} ${2 * half} ${2 * half}`);
-        body.current?.setAttribute("r", String(radius));
-        cross.current?.setAttribute("d", `M${-CROSS} 0H${CROSS}M0 ${-CROSS}V${CROSS}`);
-      }
-      const { x, y } = toScreen(camera, partPoint(at));
-      element.style.transform = `translate(${x - half}px, ${y - half}px)`;
+    if (!element || radius === null) return undefined;
+    let drawn = NaN;
+    const draw = () => {
+      const { scale } = viewport.drawn();
+      if (scale === drawn) return;
+      drawn = scale;
+      const half = Math.ceil(Math.max(radius * scale, CROSS) + LINE);
+      element.style.left = element.style.top = `${-half}px`;
+      element.setAttribute("width", String(2 * half));
+      element.setAttribute("height", String(2 * half));
+      element.setAttribute("viewBox", `${-half} ${-half} ${2 * half} ${2 * half}`);
+      body.current?.setAttribute("r", String(radius * scale));
     };
-    place();
-    const ends = [viewport.subscribe(place), playback.subscribe(place)];
-    return () => ends.forEach((end) => end());
-  }, [viewport, steps, playback]);
-  return (
-    <svg ref={sheet} className="tool-sheet">
-      <circle ref={body} className="plane-mill" r="0" />
-      <path ref={cross} className="plane-mill-centre" />
-    </svg>
+    draw();
+    return viewport.subscribe(draw);
+  }, [viewport, radius]);
+  return radius !== null && (
+    <TipCarrier viewport={viewport} carrying={carrying}>
+      <svg ref={sheet} className="tool-sheet">
+        <circle ref={body} className="plane-mill" r="0" />
+        <path className="plane-mill-centre" d={`M${-CROSS} 0H${CROSS}M0 ${-CROSS}V${CROSS}`} />
+      </svg>
+    </TipCarrier>
   );
 }
 
-/** The running motion in its own strength; it changes with the motion, not with the picture. */
+/** The running motion in its own strength; while it plays it is told no oftener than it can be read. */
 export function RunningMotion({ steps, playback }: Milling) {
   const running = useRef<SVGPathElement>(null), drawn = useRef<PlaneStep | null>(null);
-  useEachPicture(playback, useCallback(() => {
-    const motion = steps[Math.min(playback.shown().step, steps.length - 1)];
+  useEachReading(playback, useCallback(() => {
+    const motion = shownMotion(steps, playback);
     if (!motion || drawn.current === motion) return;
     running.current?.setAttribute("d", planeMotionData(motion));
     drawn.current = motion;

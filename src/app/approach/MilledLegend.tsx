@@ -1,8 +1,9 @@
 import { formatNumber } from "../../i18n/number.ts";
 import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { MOST_MILLED, type GrowingStock, type NoStock } from "./milled.ts";
-import { toneName } from "./MilledSheet.tsx";
+import { MOST_MILLED, type NoStock } from "./cut-milled.ts";
+import { toneName } from "./follow-milled.ts";
+import type { GrowingStock } from "./milled.ts";
 
 /** Which tone is how deep, in a corner of the picture; without stock why there is none. */
 export function MilledLegend({ milled }: { readonly milled: GrowingStock | NoStock }) {

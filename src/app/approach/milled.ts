@@ -1,11 +1,9 @@
 import { useEffect, useMemo, useState } from "react";
-import type { Run } from "../../program/run-types.ts";
-import { milledStock, type MilledInput, type MilledStock, type RapidThrough } from "../../sim/plane/milled.ts";
-import { playerOf } from "../../sim/stock.ts";
+import type { MilledStock, RapidThrough } from "../../sim/plane/milled.ts";
 import { boundsOf, grownBounds } from "../../view/bounds.ts";
 import type { Bounds } from "../../view/camera.ts";
-import { stopwatch } from "../clock.ts";
 import type { LatheResult } from "../lathe/use-material.ts";
+import { cutFor, uncutStock, type NoStock } from "./cut-milled.ts";
 
 /** Milled stock that is cut bit by bit while the page rests between two pictures. */
 export interface GrowingStock {
@@ -16,32 +14,15 @@ export interface GrowingStock {
   readonly subscribe: (listener: () => void) => () => void;
 }
 
-/** Why no stock is drawn: the program has no blank for it, or too many motions. */
-export type NoStock = "noBlank" | "tooLong";
-
-/** A path of more motions is drawn without its stock. */
-export const MOST_MILLED = 30_000;
-
-/** How long is cut between two pictures, and rested then, ms; and motions between two looks at the watch. */
-const SLICE = { cuts: 6, rests: 4, motions: 2 } as const;
+/** How long is cut between two pictures, and rested then, ms. */
+const SLICE = { cuts: 6, rests: 4 } as const;
 
 /** Air round the blank, mm per mm of it. */
 const AIR = 0.03;
 
-/** The blank as turning leaves it before each milled stretch; the box of BLK FORM is milled as the box that it is. */
-function bodiesOf({ plane, steps, blank, cuboid }: Run, simulation: LatheResult["simulation"]): MilledInput["bodies"] {
-  const player = simulation && steps.length > 0 ? playerOf(simulation) : null;
-  return plane.flatMap(({ turned }, step) => {
-    if (step > 0 && plane[step - 1]?.turned === turned) return [];
-    const section = player ? player.at({ step: turned, fraction: 0 }) : blank;
-    return [{ step, body: { block: cuboid, turned: section.length > 0 ? section : null } }];
-  });
-}
-
 function growing({ run, simulation }: LatheResult): { readonly stock: MilledStock; readonly listeners: Set<() => void> } | NoStock {
-  if (run.plane.length > MOST_MILLED) return "tooLong";
-  const stock = milledStock({ motions: run.plane, bodies: bodiesOf(run, simulation) });
-  return stock ? { stock, listeners: new Set() } : "noBlank";
+  const stock = uncutStock(run, simulation);
+  return typeof stock === "string" ? stock : { stock, listeners: new Set() };
 }
 
 const NO_RAPIDS: readonly RapidThrough[] = [];
@@ -58,9 +39,7 @@ export function useMilledStock(result: LatheResult): { readonly milled: GrowingS
     if (typeof made === "string") return undefined;
     let timer: ReturnType<typeof setTimeout> | undefined;
     const slice = () => {
-      const until = stopwatch() + SLICE.cuts;
-      let all = false;
-      while (!all && stopwatch() < until) all = made.stock.advance(SLICE.motions);
+      const all = cutFor(made.stock, SLICE.cuts);
       for (const listener of [...made.listeners]) listener();
       if (all) setDone(made.stock);
       else timer = setTimeout(slice, SLICE.rests);

@@ -20,3 +20,9 @@ export interface KnownOutcome {
   readonly version: number;
   readonly moves: number;
 }
+
+/** The same by what is milled. */
+export interface KnownMilling {
+  readonly version: number;
+  readonly motions: number;
+}

@@ -1,7 +1,7 @@
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { playerOf, sameBlank } from "../../sim/stock.ts";
 import type { Patch } from "../../view/material/pen.ts";
-import { paintShop, stockPainter, type PaintedRun, type StockLook } from "../../view/material/stock-painter.ts";
+import { paintShop, stockPainter, type PaintedRun, type StockLook, type StockPainter } from "../../view/material/stock-painter.ts";
 import { positionAt, trackOf, type PlayedTrack } from "../../view/playback.ts";
 import { dayMoment, stopwatch } from "../clock.ts";
 import { surfacesOfRun } from "../lathe/moving.ts";
@@ -49,7 +49,8 @@ export interface StockPictures {
 
 const sized = ({ width, height }: Patch, ratio: number) => [Math.round(width * ratio), Math.round(height * ratio)] as const;
 
-function painted(part: Patch, ratio: number, paint: (pen: OffscreenCanvasRenderingContext2D) => void): ImageBitmap {
+/** A part of a picture, painted on a canvas of its own. */
+export function painted(part: Patch, ratio: number, paint: (pen: OffscreenCanvasRenderingContext2D) => void): ImageBitmap {
   const canvas = new OffscreenCanvas(...sized(part, ratio)), pen = canvas.getContext("2d");
   if (pen) paint(pen);
   return canvas.transferToImageBitmap();
@@ -79,21 +80,34 @@ export function stopPlaying(): void {
 
 const picture = (): Promise<number> => new Promise((done) => requestAnimationFrame(done));
 
+/** What is painted as it plays. */
+interface Played<Look> {
+  readonly painter: Pick<StockPainter, "goTo"> & { readonly all: (pen: OffscreenCanvasRenderingContext2D, look: Look) => void;
+    readonly follow: (pen: OffscreenCanvasRenderingContext2D, look: Look, position: PlayPosition) => boolean };
+  readonly track: PlayedTrack;
+}
+
 /**
- * Paints the stock of an outcome as it plays, picture after picture, until something else is to be painted or nothing. Answers when the
- * first picture is seen; false when the canvas is not known here.
+ * Paints what plays, picture after picture, until something else is to be painted or nothing. Answers when the first picture is seen; false
+ * when the canvas is not known here. `until` waits until a step can be painted.
  */
-export async function play(outcome: Outcome, on: PlayedOn, look: StockLook, course: PlayedCourse): Promise<boolean> {
+export async function playPainted<Look extends Pick<StockLook, "origin" | "ratio">>(
+  { painter, track }: Played<Look>,
+  on: PlayedOn,
+  look: Look,
+  course: PlayedCourse,
+  until: (step: number) => Promise<boolean> = () => Promise.resolve(true),
+): Promise<boolean> {
   played += 1;
   const own = played;
   if (on.canvas) here = { name: on.name, canvas: on.canvas };
   const pen = here?.name === on.name && "requestAnimationFrame" in self ? here.canvas.getContext("2d") : null;
   if (!pen) return false;
-  const { run, track } = playableOf(outcome), { canvas } = pen;
+  const { canvas } = pen;
   const [width, height] = sized(look.origin, look.ratio);
   if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
-  const painter = stockPainter(run);
   const at = (now: number) => positionAt(track, course.seconds + (course.rate * (dayMoment(now) - course.since)) / 1000);
+  if (!(await until(at(stopwatch()).step)) || played !== own) return false;
   painter.goTo(at(stopwatch()));
   painter.all(pen, look);
   await picture();
@@ -105,4 +119,10 @@ export async function play(outcome: Outcome, on: PlayedOn, look: StockLook, cour
   })();
   await picture();
   return played === own;
+}
+
+/** The same of the turned stock of an outcome. */
+export function play(outcome: Outcome, on: PlayedOn, look: StockLook, course: PlayedCourse): Promise<boolean> {
+  const { run, track } = playableOf(outcome);
+  return playPainted({ painter: stockPainter(run), track }, on, look, course);
 }

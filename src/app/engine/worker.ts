@@ -1,11 +1,12 @@
 import { expose, transfer } from "comlink";
 import { z } from "zod/mini";
 import type { PlayPosition } from "../../sim/simulation.ts";
+import type { MilledLook } from "../../view/approach/milled-painter.ts";
 import type { StockLook } from "../../view/material/stock-painter.ts";
 import { stopwatch } from "../clock.ts";
 import type { advice } from "./advice.ts";
 import { engine, makersAgain } from "./engine.ts";
-import { loadRequestOf, type KnownOutcome, type LoadRequest } from "./load-request.ts";
+import { loadRequestOf, type KnownMilling, type KnownOutcome, type LoadRequest } from "./load-request.ts";
 import type { Outcome, Stage } from "./outcome.ts";
 import type { PlayedCourse, PlayedOn, StockPictures } from "./played.ts";
 import { provedBeside, type Proved } from "./proved.ts";
@@ -50,6 +51,10 @@ type Advice = typeof advice;
 const fetchAdvice = async (): Promise<Advice> => (await import("./advice.ts")).advice;
 
 const fetchPlayed = () => import("./played.ts");
+const fetchMilling = () => import("./played-milling.ts");
+
+const knownMilling = ({ version, motions }: KnownMilling): Outcome | null =>
+  newest?.version === version && newest.run.plane.length === motions ? newest : null;
 
 /** What the page can ask: what every work needs is there at once, advice is fetched when it is first asked for. */
 const served = {
@@ -77,6 +82,16 @@ const served = {
     if (!outcome || !knownRequest(of)) return null;
     const made = (await fetchPlayed()).stockPictures(outcome, look, position);
     return transfer(made, [made.work, made.shop]);
+  },
+  /** Paints what is milled of the newest outcome while it plays; false when it cannot. */
+  async playMilling(of: KnownMilling, on: PlayedOn, look: MilledLook, course: PlayedCourse): Promise<boolean> {
+    const outcome = knownMilling(of);
+    return outcome !== null && await (await fetchMilling()).playMilling(outcome, on, look, course);
+  },
+  /** Paints what is milled of the newest outcome as it stands; null when it is not the one that is asked for. */
+  async milledPicture(of: KnownMilling, look: MilledLook, position: PlayPosition): Promise<ImageBitmap | null> {
+    const outcome = knownMilling(of), made = outcome && await (await fetchMilling()).milledPicture(outcome, look, position);
+    return made && transfer(made, [made]);
   },
   stopPlaying: async () => (await fetchPlayed()).stopPlaying(),
   fitsOfWork: async (...asked: Parameters<Advice["fitsOfWork"]>) => (await fetchAdvice()).fitsOfWork(...asked),

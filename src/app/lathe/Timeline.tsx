@@ -15,8 +15,8 @@ export interface TimedRun extends Pick<Run, "operations"> {
   readonly steps: readonly (TimedStep & { readonly seconds: number })[];
 }
 
-/** Moves of the playhead in a second. */
-const JERKS = 10;
+/** Moves of a playhead in a second. */
+export const JERKS = 10;
 
 /** Time of the whole run: cutting and rapids, boundaries of moves, operations by name. Dragging it scrubs. */
 export function Timeline({ run, playback }: { readonly run: TimedRun; readonly playback: PlaybackStore }) {

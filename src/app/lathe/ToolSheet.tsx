@@ -4,13 +4,14 @@ import type { Pt, Ring } from "../../kernel/point.ts";
 import { CHORD, SAME_STEP } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { boundsOf, common, grownBounds } from "../../view/bounds.ts";
-import { toScreen, type Bounds, type Place } from "../../view/camera.ts";
+import type { Bounds } from "../../view/camera.ts";
 import { liesInward, windowsOf } from "../../view/cutting-tool/covered.ts";
 import { toolBox } from "../../view/cutting-tool/drawing.ts";
 import { liesBehind, silhouetteOf, type Silhouette } from "../../view/cutting-tool/silhouette.ts";
 import type { SectionView } from "../settings/settings.ts";
 import { BreakLine } from "./BreakLine.tsx";
 import { restingTip, runningTip, type Carrying } from "./carry.ts";
+import { TipCarrier } from "./TipCarrier.tsx";
 import { ChipSheet } from "./ChipSheet.tsx";
 import { DrawnTool } from "./DrawnTool.tsx";
 import { stepIndex, type Moving } from "./moving.ts";
@@ -20,7 +21,6 @@ import type { Viewport } from "./viewport.ts";
 /** A step is nearly over: what it cuts is gone, and going on from there costs nothing anew. */
 const NEARLY = 1 - SAME_STEP;
 const NO_EDGE: Silhouette = [];
-const CORNER: Place = { x: 0, y: 0 };
 /** Pixels round the drawing of a tool for its lines. */
 const LINE = 4;
 /** As much of a holder is drawn as fits into this many pictures. */
@@ -37,41 +37,6 @@ interface Standing {
   readonly viewport: Viewport;
   readonly tool: Tool;
   readonly carrying: Carrying;
-}
-
-/**
- * Carries what it holds where the tip goes, its origin at the tip: a part of the page that looks where the camera looks, and in it one that
- * goes along by transforms, which cost no layout and no painting.
- */
-function Carrier({ viewport, carrying, children }: Omit<Standing, "tool"> & { readonly children: React.ReactNode }) {
-  const world = useRef<HTMLDivElement>(null), carrier = useRef<HTMLDivElement>(null);
-  useEffect(() => {
-    const carried = carrier.current, around = world.current;
-    if (!carried || !around) return undefined;
-    let drawn = viewport.drawn();
-    const gliding = carrying.carry(carried, (tip) => {
-      const { x, y } = toScreen({ ...drawn, zero: CORNER }, tip);
-      return `translate(${x}px, ${y}px)`;
-    });
-    const look = () => {
-      const { zero, scale } = viewport.get(), before = drawn;
-      drawn = viewport.drawn();
-      const grown = scale / drawn.scale;
-      around.style.transform = `translate(${zero.x}px, ${zero.y}px)${grown === 1 ? "" : ` scale(${grown})`}`;
-      if (drawn.scale !== before.scale || drawn.xUp !== before.xUp) gliding.again();
-    };
-    look();
-    const deaf = viewport.subscribe(look);
-    return () => {
-      deaf();
-      gliding.end();
-    };
-  }, [viewport, carrying]);
-  return (
-    <div ref={world} className="tool-world">
-      <div ref={carrier} className="tool-carrier">{children}</div>
-    </div>
-  );
 }
 
 /** A tool on a sheet no larger than itself, drawn anew for another tool or another zoom. */
@@ -125,9 +90,9 @@ function CoveredTool({ section, edge, ...standing }: Standing & { readonly secti
   }, [viewport, section, silhouette]);
   const drawn = (
     <>
-      <Carrier {...standing}>
+      <TipCarrier {...standing}>
         <Sheet {...standing} />
-      </Carrier>
+      </TipCarrier>
       <BreakLine {...standing} />
     </>
   );
@@ -151,7 +116,7 @@ function StandingTool({ section, edge, children, ...standing }: Standing & {
   return (
     <>
       {covered && <CoveredTool {...standing} section={section} edge={edge} />}
-      {(!covered || children) && <Carrier {...standing}>{!covered && <Sheet {...standing} />} {children}</Carrier>}
+      {(!covered || children) && <TipCarrier {...standing}>{!covered && <Sheet {...standing} />} {children}</TipCarrier>}
       {!covered && <BreakLine {...standing} />}
     </>
   );

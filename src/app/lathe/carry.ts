@@ -1,5 +1,6 @@
 import type { Pt } from "../../kernel/point.ts";
 import type { Step } from "../../kernel/step.ts";
+import type { PlayPosition } from "../../sim/simulation.ts";
 import { bendsBetween } from "../../view/bends.ts";
 import { tipAt } from "../../view/tip.ts";
 import { glide, type Gliding } from "./glide.ts";
@@ -15,19 +16,27 @@ export interface Carrying {
   readonly carry: (element: HTMLElement, place: (tip: Pt) => string | null) => Gliding;
 }
 
-/** The tip of the running move. */
-export const runningTip = (steps: readonly Step[], playback: PlaybackStore): Carrying => ({
-  tip: () => tipAt(steps, playback.shown()),
+/** A place of its own at each moment of a playback; within some steps its way is round. */
+export const movingTip = (
+  playback: PlaybackStore,
+  tipOf: (position: PlayPosition) => Pt | null,
+  isRound: (step: number) => boolean,
+): Carrying => ({
+  tip: () => tipOf(playback.shown()),
   follow: playback.subscribe,
   carry: (element, place) =>
     glide(element, playback, {
       at(position) {
-        const tip = tipAt(steps, position);
+        const tip = tipOf(position);
         return tip && place(tip);
       },
-      bends: (track, between, fine) => bendsBetween(track, between, fine, (step) => steps[step]?.move.kind === "arc"),
+      bends: (track, between, fine) => bendsBetween(track, between, fine, isRound),
     }),
 });
+
+/** The tip of the running move. */
+export const runningTip = (steps: readonly Step[], playback: PlaybackStore): Carrying =>
+  movingTip(playback, (position) => tipAt(steps, position), (step) => steps[step]?.move.kind === "arc");
 
 /** A tip that stays where it is. */
 export const restingTip = (at: Pt): Carrying => ({

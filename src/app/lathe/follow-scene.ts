@@ -13,7 +13,7 @@ import { askWorker } from "../engine/worker-life.ts";
 import type { SectionView } from "../settings/settings.ts";
 import { fitCanvas } from "./fit-canvas.ts";
 import type { Moving } from "./moving.ts";
-import { knownOf, playedLayer } from "./played-layer.ts";
+import { knownOf, playedLayer, playedSteps } from "./played-layer.ts";
 import { pageColours } from "./use-theme-colours.ts";
 import { drawnRoom, type Viewport } from "./viewport.ts";
 import { shiftSheet } from "./World.tsx";
@@ -81,7 +81,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
   const colours = pageColours(COLOURS), blanks = moving?.blanks ?? blank;
   const box = boundsOf(blanks.flat()), widest = { outer: farthest(blanks), along: 0 };
   const painter = stockPainter(moving ?? untouchedRun(blank)), playback = moving?.playback;
-  const played = moving ? playedLayer(holder, moving.steps, moving.playback) : null;
+  const played = moving ? playedLayer(holder, moving.playback, () => playedSteps(moving.steps)) : null;
   let camera = viewport.drawn(), room = drawnRoom(viewport.size()), ratio = devicePixelRatio, work: Patch = NOWHERE;
   /** The camera for which the worker is painting. */
   let awaited: Camera | null = null;

@@ -1,19 +1,21 @@
-import { transfer } from "comlink";
+import { transfer, type Remote } from "comlink";
 import type { Step } from "../../kernel/step.ts";
 import type { StockLook } from "../../view/material/stock-painter.ts";
 import { secondsAt, type PlayedTrack } from "../../view/playback.ts";
 import { dayMoment } from "../clock.ts";
 import type { KnownOutcome } from "../engine/load-request.ts";
 import { useOutcome } from "../engine/outcome.ts";
+import type { PlayedCourse, PlayedOn } from "../engine/played.ts";
+import type { Engine } from "../engine/worker.ts";
 import { askWorker } from "../engine/worker-life.ts";
 import { layOver } from "./fit-canvas.ts";
 import { isOnCourse, type PlayCourse } from "./glide.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
 /** The stock as the worker paints it while it plays, on a layer of its own over the one that the page paints. */
-export interface PlayedLayer {
+export interface PlayedLayer<Look> {
   /** Follows the playback; true while the layer shows the stock, so that the page need not. */
-  readonly follow: (look: () => StockLook) => boolean;
+  readonly follow: (look: () => Look) => boolean;
   /** Shows nothing, until it is to follow again. */
   readonly stop: () => void;
   readonly canvas: () => HTMLCanvasElement | null;
@@ -56,20 +58,33 @@ export function knownOf(steps: readonly Step[]): KnownOutcome | null {
   return shown?.run.steps === steps ? { version: shown.version, moves: steps.length } : null;
 }
 
-async function ask(layer: Layer, of: KnownOutcome, look: StockLook, course: PlayCourse): Promise<boolean> {
+/** What plays, as the worker knows it: has it painted for a look. */
+export type PlayedByWorker<Look> = (engine: Remote<Engine>, on: PlayedOn, look: Look, course: PlayedCourse) => Promise<boolean>;
+
+async function ask<Look>(layer: Layer, play: PlayedByWorker<Look>, look: Look, course: PlayCourse): Promise<boolean> {
   const canvas = layer.sent ? null : layer.canvas.transferControlToOffscreen();
   layer.sent = true;
   const on = canvas ? transfer({ name: layer.name, canvas }, [canvas]) : { name: layer.name, canvas };
   const { from: seconds, rate } = course, since = dayMoment(course.since);
   try {
-    return await askWorker((engine) => engine.play(of, on, look, { seconds, since, rate }));
+    return await askWorker((engine) => play(engine, on, look, { seconds, since, rate }));
   } catch {
     return false;
   }
 }
 
-/** A layer in an element of the page that follows a playback of so many steps. */
-export function playedLayer(holder: HTMLElement, steps: readonly Step[], playback: PlaybackStore): PlayedLayer {
+/** How the worker plays the turned steps of the open work; null where it does not know them. */
+export function playedSteps(steps: readonly Step[]): PlayedByWorker<StockLook> | null {
+  const of = knownOf(steps);
+  return of && ((engine, ...asked) => engine.play(of, ...asked));
+}
+
+/** A layer in an element of the page that follows a playback of what the worker knows. */
+export function playedLayer<Look extends Pick<StockLook, "origin">>(
+  holder: HTMLElement,
+  playback: PlaybackStore,
+  known: () => PlayedByWorker<Look> | null,
+): PlayedLayer<Look> {
   let course: PlayCourse | null = null, state: "asked" | "shown" | "refused" = "asked", begun = 0;
   const stop = () => {
     if (!course) return;
@@ -79,13 +94,13 @@ export function playedLayer(holder: HTMLElement, steps: readonly Step[], playbac
     if (layer) layer.canvas.style.visibility = "hidden";
     if (layer && state !== "refused") void askWorker((engine) => engine.stopPlaying()).catch(() => undefined);
   };
-  const begin = async (of: KnownOutcome, look: StockLook, next: PlayCourse) => {
+  const begin = async (play: PlayedByWorker<Look>, look: Look, next: PlayCourse) => {
     if (state !== "shown" || !course) state = "asked";
     course = next;
     begun += 1;
     const own = begun, layer = layerIn(holder);
     layOver(layer.canvas, look.origin);
-    const isShown = await ask(layer, of, look, next);
+    const isShown = await ask(layer, play, look, next);
     if (own !== begun) return;
     state = isShown ? "shown" : "refused";
     if (isShown) layer.canvas.style.visibility = "";
@@ -95,14 +110,14 @@ export function playedLayer(holder: HTMLElement, steps: readonly Step[], playbac
     stop,
     canvas: () => layers.get(holder)?.canvas ?? null,
     follow(look) {
-      const now = playback.get(), since = playback.since(), of = since === null || !canPaint() ? null : knownOf(steps);
-      if (!of || since === null) {
+      const now = playback.get(), since = playback.since(), play = since === null || !canPaint() ? null : known();
+      if (!play || since === null) {
         stop();
         return false;
       }
       if (!course || (state !== "refused" && !isOnCourse(course, now, since))) {
         const track: PlayedTrack = now.track;
-        void begin(of, look(), { track, rate: now.rate, from: secondsAt(track, now.position), since });
+        void begin(play, look(), { track, rate: now.rate, from: secondsAt(track, now.position), since });
       }
       return state === "shown";
     },

@@ -16,13 +16,18 @@ const MOST = 40;
 const FAR = 4;
 const ORDER: readonly PointName[] = ["PS", "PH", "PA", "PE", "PN"];
 
+/** A named point with the texts that stand beside it. */
+export interface NamedPlace extends ShownPoint {
+  readonly marks: readonly Mark[];
+}
+
 /** The named points of a whole program, each place once, with texts that cover neither each other nor a point. */
 export function planeNames(
   approaches: readonly { readonly points: NamedPoints; readonly departing: boolean }[],
   camera: Camera,
   size: Size,
   speech: ApproachSpeech,
-): { readonly points: readonly ShownPoint[]; readonly marks: readonly Mark[] } {
+): readonly NamedPlace[] {
   const shown: { names: PointName[]; at: PlanePoint }[] = [];
   for (const { points, departing } of approaches) {
     for (const name of departing ? (["PE", "PH", "PN"] as const) : ORDER) {
@@ -43,10 +48,7 @@ export function planeNames(
     { x: 0, y: size.height - 24, width: size.width, height: 24 },
     ...points.map((p) => ({ x: p.place.x - 6, y: p.place.y - 6, width: 12, height: 12 })),
   ];
-  const placed = arrange(points.slice(0, MOST).map((p) => ({ ...pointItem(p, speech, middle, false, few), most: FAR })), {
-    ...size,
-    avoid: [],
-    kept,
-  });
-  return { points, marks: placed.flatMap((p) => p.marks) };
+  const items = points.slice(0, MOST).map((p) => ({ ...pointItem(p, speech, middle, false, few), most: FAR }));
+  const placed = new Map(arrange(items, { ...size, avoid: [], kept }).map(({ item, marks }) => [item, marks]));
+  return points.map((point, i) => ({ ...point, marks: (items[i] && placed.get(items[i])) ?? [] }));
 }
