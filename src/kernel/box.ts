@@ -18,6 +18,51 @@ export function boxAround(rings: readonly Ring[]): Box {
 /** The smallest box round a ring. */
 export const boxOf = (ring: Ring): Box => boxAround([ring]);
 
+/** So many points of a ring have a box of their own, and rings with more points than that have such boxes. */
+const CHUNK = 32;
+
+/** The boxes of a ring and of its chunks. */
+interface Chunks {
+  readonly box: Box;
+  readonly parts: readonly Box[];
+}
+
+/** Large rings are looked at many times: a stock with every move. */
+const chunked = new WeakMap<Ring, Chunks>();
+
+function chunksOf(ring: Ring): Chunks {
+  const known = chunked.get(ring);
+  if (known) return known;
+  const parts = Array.from({ length: Math.ceil(ring.length / CHUNK) }, (_, i) => boxOf(ring.slice(i * CHUNK, (i + 1) * CHUNK)));
+  const made = {
+    parts,
+    box: {
+      left: Math.min(...parts.map((part) => part.left)),
+      right: Math.max(...parts.map((part) => part.right)),
+      low: Math.min(...parts.map((part) => part.low)),
+      high: Math.max(...parts.map((part) => part.high)),
+    },
+  };
+  chunked.set(ring, made);
+  return made;
+}
+
+/**
+ * A ring without points that come to nothing when it is cut to a box: those inside a chunk that lies beyond one side of it, in the order in
+ * which it is cut. What is left of it, and in which order, is the same to the last bit.
+ */
+function nearBox(ring: Ring, parts: readonly Box[], box: Box): Ring {
+  const out: Pt[] = [];
+  parts.forEach(({ left, right, low, high }, i) => {
+    const first = i * CHUNK, last = Math.min(ring.length, first + CHUNK) - 1;
+    const beside = right < box.left || left > box.right;
+    const over = left >= box.left && right <= box.right && (high < box.low || low > box.high);
+    if (beside || over) out.push(ring[first] as Pt, ring[last] as Pt);
+    else for (let k = first; k <= last; k += 1) out.push(ring[k] as Pt);
+  });
+  return out;
+}
+
 /** How far two boxes are apart, mm; 0 when they overlap. */
 export const gapBetween = (a: Box, b: Box): number =>
   Math.hypot(Math.max(0, a.left - b.right, b.left - a.right), Math.max(0, a.low - b.high, b.low - a.high));
@@ -30,9 +75,10 @@ export const gapBetween = (a: Box, b: Box): number =>
 export function inBox(area: readonly Ring[], box: Box): Ring[] {
   const out: Ring[] = [];
   for (const ring of area) {
-    const own = boxOf(ring);
+    const chunks = ring.length > CHUNK ? chunksOf(ring) : null, own = chunks?.box ?? boxOf(ring);
     if (own.left >= box.right || own.right <= box.left || own.low >= box.high || own.high <= box.low) continue;
-    let cut: Ring = ring;
+    const isInside = own.left >= box.left && own.right <= box.right && own.low >= box.low && own.high <= box.high;
+    let cut: Ring = chunks && !isInside ? nearBox(ring, chunks.parts, box) : ring;
     if (own.left < box.left) cut = side(cut, "z", box.left, 1);
     if (own.right > box.right) cut = side(cut, "z", box.right, -1);
     if (own.low < box.low) cut = side(cut, "r", box.low, 1);

@@ -4,8 +4,20 @@ import { boxAround, inBox } from "../kernel/box.ts";
 import { merged, near, type Present } from "./cutting.ts";
 import type { Sweep } from "./sweep.ts";
 
+/** What one sweep had in common with the stock last: a rapid is asked for what it did wrong, and for what it took. */
+const asked = new WeakMap<Sweep, { readonly now: Present; readonly rings: Ring[] }>();
+
 /** What sweeps have in common with an area and with the stock as it is now. */
 export function inStock(sweeps: readonly Sweep[], now: Present, within: readonly Ring[] | null = null): Ring[] {
+  const [alone] = sweeps.length === 1 && !within ? sweeps : [];
+  const known = alone && asked.get(alone);
+  if (known?.now === now) return known.rings;
+  const rings = standing(sweeps, now, within);
+  if (alone) asked.set(alone, { now, rings });
+  return rings;
+}
+
+function standing(sweeps: readonly Sweep[], now: Present, within: readonly Ring[] | null): Ring[] {
   const rings = sweeps.flatMap((sweep) => near(sweep, now.meets));
   if (rings.length === 0) return [];
   const box = boxAround(rings);
