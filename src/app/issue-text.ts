@@ -1,19 +1,21 @@
 import { createContext, useCallback, useContext } from "react";
 import { cycleByNumber } from "../cycles/index.ts";
-import type { Language } from "../i18n/languages.ts";
+import type { Spoken } from "../i18n/lengths.ts";
 import type { Texts } from "../i18n/index.ts";
 import type { AnyIssue } from "../i18n/message-texts.ts";
 import { writer, type Write } from "../i18n/write.ts";
 import type { RunFinding } from "../program/run-types.ts";
-import { useSettings } from "./settings/settings.ts";
+import { useLengths } from "./lengths.ts";
 import { useTexts } from "./settings/use-texts.ts";
 
-/** The sentence of a finding in a screen language; `cycle` tells what the value at its place measures. */
-export function issueText(texts: Texts, language: Language, found: AnyIssue, cycle: number | null): string {
+/**
+ * The sentence of a finding in a screen language, with lengths as the program counts where that is said; `cycle` tells what the value at its place measures.
+ */
+export function issueText(texts: Texts, spoken: Spoken, found: AnyIssue, cycle: number | null): string {
   const at = "at" in found ? found.at : undefined;
   const param = cycle === null || at === undefined ? undefined : cycleByNumber(cycle)?.params[at];
   const say = texts.messages.of[found.code] as (data: AnyIssue["data"], write: Write) => string;
-  return say(found.data, writer(language, param?.kind));
+  return say(found.data, writer(spoken, param?.kind));
 }
 
 /** Where something stands in the file of a called program, in words. */
@@ -26,7 +28,7 @@ export const CycleInWork = createContext<number | null>(null);
 /** Says findings in the screen language. */
 export function useIssueText(): (found: AnyIssue) => string {
   const texts = useTexts();
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths();
   const cycle = useContext(CycleInWork);
-  return useCallback((found) => issueText(texts, language, found, cycle), [texts, language, cycle]);
+  return useCallback((found) => issueText(texts, lengths, found, cycle), [texts, lengths, cycle]);
 }

@@ -2,6 +2,9 @@ import type { LengthUnit } from "../kernel/units.ts";
 import type { Language } from "./languages.ts";
 import { formatFixed, formatNumber, formatPosition, formatSigned } from "./number.ts";
 
+/** Who is spoken to: somebody whose program counts in a unit, or, with a language alone, in mm. */
+export type Spoken = Language | Lengths;
+
 /** Decimals that a length in inches has more than in millimetres, and an area. */
 const MORE = 1, MORE_OF_AREA = 3;
 

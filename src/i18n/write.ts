@@ -1,11 +1,14 @@
 import type { Kind } from "../cycles/params.ts";
-import type { Language } from "./languages.ts";
-import { formatNumber, formatSigned } from "./number.ts";
+import { lengthsIn, type Spoken } from "./lengths.ts";
+import { formatNumber } from "./number.ts";
 
-/** Numbers inside sentences, in the way of one language. X data are diameters, mm. */
+/** Numbers inside sentences, in the way of one language and in the unit of the program that is spoken of. X data are diameters, mm. */
 export interface Write {
-  /** Millimetres or a plain number. */
+  /** A plain number. */
   readonly number: (value: number) => string;
+  /** A length, mm, as the program counts; with its unit. */
+  readonly size: (mm: number) => string;
+  readonly length: (mm: number) => string;
   /** A value of the field in question: with ⌀ where it is a diameter, with ° where it is an angle. */
   readonly value: (value: number) => string;
   readonly diameter: (value: number) => string;
@@ -25,26 +28,41 @@ export interface Write {
 /** Longer quotations say no more. */
 const LONGEST = 40;
 
+/** What is no length and counts the same in any program. A feed is told as the program is read. */
+const NO_LENGTH: ReadonlySet<string | undefined> = new Set([
+  "choice",
+  "angle",
+  "feed",
+  "count",
+  "factor",
+  "percent",
+  "revolutions",
+  undefined,
+]);
+
 const isDiameter = (kind: Kind | undefined) => kind === "diameter" || kind === "oversizeDiameter";
 
-/** Formats numbers for a language; `kind` is what the field in question measures. */
-export function writer(language: Language, kind?: Kind): Write {
+/** Formats numbers for a language and the unit of a program; `kind` is what the field in question measures. */
+export function writer(spoken: Spoken, kind?: Kind): Write {
+  const lengths = typeof spoken === "string" ? lengthsIn(spoken, "mm", 1) : spoken, { language, number: size, signed } = lengths;
   const number = (value: number) => formatNumber(language, value);
-  const diameter = (value: number) => `⌀${number(value)}`;
+  const diameter = (value: number) => `⌀${size(value)}`;
   /** Four decimals: some limits have them, and they must not be rounded past themselves. */
   const full = (value: number) => formatNumber(language, value, 4);
   const angle = (value: number) => `${full(value)}°`;
-  const plain = kind === "angle" ? angle : full;
-  const place = (x: number, z: number) => `X⌀${number(x)} Z${formatSigned(language, z)}`;
+  const exact = NO_LENGTH.has(kind) ? full : (value: number) => size(value, 4), plain = kind === "angle" ? angle : exact;
+  const place = (x: number, z: number) => `X⌀${size(x)} Z${signed(z)}`;
   return {
     number,
+    size: (mm) => size(mm),
+    length: (mm) => `${size(mm)} ${lengths.unit}`,
     value: isDiameter(kind) ? diameter : plain,
     diameter,
-    signed: (value) => formatSigned(language, value),
+    signed,
     angle,
-    area: (value) => `${formatNumber(language, value, value < 0.1 ? 3 : 2)} mm²`,
+    area: (value) => lengths.words(`${lengths.area(value, value < 0.1 ? 3 : 2)} mm²`),
     text: (text) => (text.length > LONGEST ? `${text.slice(0, LONGEST - 1)}…` : text),
     place,
-    spot: (x, y, z) => (y === undefined ? place(x, z ?? 0) : `X${formatSigned(language, x)} Y${formatSigned(language, y)}`),
+    spot: (x, y, z) => (y === undefined ? place(x, z ?? 0) : `X${signed(x)} Y${signed(y)}`),
   };
 }

@@ -2,6 +2,7 @@ import type { Cycle } from "../cycles/define.ts";
 import type { Param, Params, Values } from "../cycles/params.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import { checkNumber, kept } from "./field.ts";
+import { INCH, roundedInch } from "../kernel/units.ts";
 import type { Machine } from "./machine.ts";
 
 /** Decimals an inch program keeps beyond those of a millimetre program. */
@@ -16,6 +17,10 @@ const hasInches = (p: { readonly kind: string }) => isLength(p) || p.kind === "f
 /** How many decimals an inch program keeps of a parameter. */
 export const decimalsInInches = (p: { readonly kind: string; readonly decimals: number }): number =>
   hasInches(p) ? p.decimals + INCH_DECIMALS : p.decimals;
+
+/** A value of a parameter, mm, as a program writes it that may count in inches. */
+export const valueInProgram = (p: { readonly kind: string } | undefined, mm: number, inches: boolean): number =>
+  inches && p && isLength(p) ? roundedInch(mm / INCH) : mm;
 
 /** A number of the program in the unit of the parameter, rounded to what the control keeps of it before it is converted. */
 function inMillimetres(machine: Machine, p: Param, n: number): number {

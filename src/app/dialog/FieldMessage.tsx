@@ -1,8 +1,11 @@
+import { useContext } from "react";
+import { cycleByNumber } from "../../cycles/index.ts";
+import { valueInProgram } from "../../program/cycle-values.ts";
 import { Icon } from "../Icon.tsx";
 import { goToField } from "../place.ts";
 import type { FindingEntry } from "../findings/entry.ts";
-import { useIssueText } from "../issue-text.ts";
-import { useSettings } from "../settings/settings.ts";
+import { CycleInWork, useIssueText } from "../issue-text.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { writeTyped } from "./write-value.ts";
 
@@ -24,10 +27,12 @@ interface Props {
 export function FieldMessage({ problem, decimals, place, calm = false, onTake, parameterField = false }: Props) {
   const t = useTexts();
   const say = useIssueText();
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths(), cycle = useContext(CycleInWork);
   const { issue } = problem;
   const shown = calm ? "info" : issue.severity;
-  const nearest = "nearest" in issue.data && typeof issue.data.nearest === "number" ? issue.data.nearest : null;
+  const offered = "nearest" in issue.data && typeof issue.data.nearest === "number" ? issue.data.nearest : null;
+  const param = cycle === null || !("at" in issue) ? undefined : cycleByNumber(cycle)?.params[issue.at ?? ""];
+  const isInch = lengths.unit === "inch", nearest = offered === null ? null : valueInProgram(param, offered, isInch);
   return (
     <div className={`field-message ${shown}`}>
       <Icon name={shown} />
@@ -43,7 +48,7 @@ export function FieldMessage({ problem, decimals, place, calm = false, onTake, p
       )}
       {nearest !== null && onTake && (
         <button type="button" className="button" onClick={() => onTake(nearest)}>
-          {t.dialog.takeNearest(writeTyped(language, nearest, decimals))}
+          {t.dialog.takeNearest(writeTyped(lengths.language, nearest, isInch ? decimals + 1 : decimals))}
         </button>
       )}
     </div>

@@ -6,7 +6,7 @@ import { withBlock } from "../../nc/edit.ts";
 import type { Param } from "../../cycles/params.ts";
 import type { CycleParameter, Statement } from "../../nc/statement.ts";
 import { contourBefore } from "../../program/contour-of-text.ts";
-import { decimalsInInches } from "../../program/cycle-values.ts";
+import { decimalsInInches, valueInProgram } from "../../program/cycle-values.ts";
 import { OWN_DECIMALS, ownField } from "../../program/own-cycle.ts";
 import { ownCycle } from "../own/own-reading.ts";
 import { feedWord } from "../../program/field.ts";
@@ -68,6 +68,9 @@ export function withPrompt(program: Program, index: number, q: string, text: str
 /** True for a program whose numbers are inches. */
 export const countsInches = ({ blocks }: Program): boolean =>
   blocks.some(({ statement }) => statement.kind === "begin" && statement.unit === "INCH");
+
+/** A length, mm, as a program counts. */
+export const inProgram = (program: Program, mm: number): number => valueInProgram({ kind: "length" }, mm, countsInches(program));
 
 /** How many decimals the control keeps of a parameter; undefined where nobody says. */
 const decimalsIn = (program: Program, param: Asked | undefined): number | undefined =>

@@ -2,7 +2,7 @@ import { setDiagnostics, type Diagnostic } from "@codemirror/lint";
 import type { EditorState, Transaction, TransactionSpec } from "@codemirror/state";
 import type { EditorView } from "@codemirror/view";
 import type { Texts } from "../../i18n/index.ts";
-import type { Language } from "../../i18n/languages.ts";
+import type { Lengths } from "../../i18n/lengths.ts";
 import { blockAt } from "../../nc/reread.ts";
 import type { RunFinding } from "../../program/run-types.ts";
 import { issueText, placeInFile } from "../issue-text.ts";
@@ -46,7 +46,7 @@ export function diagnosticsOf(
   view: EditorView,
   findings: readonly RunFinding[],
   t: Texts,
-  language: Language,
+  lengths: Lengths,
   dispatch: (spec: TransactionSpec) => void,
 ): Pick<Transaction, "effects"> & TransactionSpec {
   const { state } = view;
@@ -55,7 +55,7 @@ export function diagnosticsOf(
     const place = placeOf(state, finding);
     if (!place) continue;
     const fix = fixOf(state, finding);
-    const said = issueText(t, language, finding.issue, cycleOf(state, place.from));
+    const said = issueText(t, lengths, finding.issue, cycleOf(state, place.from));
     all.push({
       ...place,
       severity: finding.issue.severity,

@@ -4,6 +4,7 @@ import { shownBlock } from "../approach/shown-view.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { showSection, usePlace } from "../place.ts";
 import { playback } from "../playback.ts";
+import { lengthsOf } from "../lengths.ts";
 import { texts } from "../settings/loaded-texts.ts";
 import { useSettings } from "../settings/settings.ts";
 import { setRunning } from "./block-marks.ts";
@@ -59,8 +60,8 @@ function mark(): void {
   if (!view || !isPresent(newest)) return;
   const { language } = useSettings.getState();
   view.dispatch(
-    diagnosticsOf(view, findingsShown(newest.run.issues, shownBeside()?.name ?? null), texts(language), language, (spec) =>
-      dispatchEdit(spec, null)),
+    diagnosticsOf(view, findingsShown(newest.run.issues, shownBeside()?.name ?? null), texts(language),
+      lengthsOf(language, newest.run.program.unit), (spec) => dispatchEdit(spec, null)),
   );
 }
 

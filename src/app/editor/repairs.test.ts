@@ -1,7 +1,11 @@
+import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { engine } from "../engine/engine.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import { findingsOf } from "../findings/findings.ts";
+import { texts } from "../../i18n/index.ts";
+import { issueText } from "../issue-text.ts";
+import { lengthsOf } from "../lengths.ts";
 import { parse } from "../../nc/parse.ts";
 import { print } from "../../nc/program.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
@@ -123,4 +127,17 @@ test("M303 joins the block that positions, which keeps what it has; a block that
   expect(mended("L X+61.3 Y+0 Z+2 FMAX M8")).toEqual(around("L X+61.3 Y+0 Z+2 FMAX M8 M303"));
   expect(mended("L X+61.3 Y+0 Z+2 FMAX M5")).toEqual(around("L X+61.3 Y+0 Z+2 FMAX M5", "M303"));
   expect(mended("L X+61.3 Y+0 Z+2 FMAX M8 M5")).toEqual(around("L X+61.3 Y+0 Z+2 FMAX M8 M5", "M303"));
+});
+
+test("in an inch program a value is offered, and said, in inches: what the tool can cut at once is no foot", () => {
+  const text = readFileSync("tests/programs/shoulder-inch.h", "utf8").replace("Q463=+0.1181", "Q463=+0.9");
+  const outcome = outcomeOf(text), entry = findingsOf(null, outcome).find(({ issue }) => issue.code === "infeedOverCutLength");
+  if (!entry) throw new Error("it is found");
+  const [repair] = repairsOf(parse(text), entry, "en");
+  expect(repair?.text).toBe(0.4724);
+  expect(repair && print(repair.next())).toContain("Q463=+0.4724 ");
+  const said = issueText(texts("en"), lengthsOf("en", outcome.run.program.unit), entry.issue, 812);
+  expect(said).toBe("Infeed 0.9 is more than CUTLENGTH 0.4724: it is reduced to 0.4724.");
+  const mend = (body: string) => repairsOf(parse(body), { ...entry, at: "Q463" }, "en")[0];
+  expect(mend(text.replace(" INCH\n1", " MM\n1"))?.text).toBe(12);
 });

@@ -3,6 +3,8 @@ import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import { statementLines } from "../../nc/print.ts";
 import { styleAt } from "../../nc/read-style.ts";
 import type { Statement } from "../../nc/statement.ts";
+import { cycleByNumber } from "../../cycles/index.ts";
+import { valueInProgram } from "../../program/cycle-values.ts";
 import { kept } from "../../program/field.ts";
 import { STOPS_SPINDLE } from "../../program/spindle-start.ts";
 import { noWords, POSITION_DECIMALS, positionAsTyped } from "../../program/typed-value.ts";
@@ -10,7 +12,7 @@ import { ncLabels } from "../../i18n/nc-labels.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import { nearestOf } from "../findings/host.ts";
-import { withPrompt } from "./block-prompts.ts";
+import { countsInches, inProgram, withPrompt } from "./block-prompts.ts";
 import { withContour, withContourNamed } from "./missing-contour.ts";
 
 /** A change of the program that mends a finding: a value taken, a block put in, a word written, something taken out. */
@@ -128,7 +130,8 @@ function withoutParameter(program: Program, index: number, q: string): Repair | 
 }
 
 /** Another start point of a call: in the block that positions for it, or in one of its own right before the call. */
-function withStart(program: Program, index: number, { x, z }: { readonly x: number; readonly z: number }): Repair {
+function withStart(program: Program, index: number, start: { readonly x: number; readonly z: number }): Repair {
+  const [x, z] = [inProgram(program, start.x), inProgram(program, start.z)];
   const axes = [{ axis: "X", value: kept(x, POSITION_DECIMALS), incremental: false }, {
     axis: "Z",
     value: kept(z, POSITION_DECIMALS),
@@ -171,7 +174,7 @@ function withKnownStart(program: Program, index: number): Repair | null {
   if (outside?.measure !== "D" || typeof outside.value !== "number" || typeof distance === "object" && distance !== null) return null;
   const axes = [{ axis: "X" as const, value: outside.value, incremental: false }, {
     axis: "Z" as const,
-    value: kept(distance ?? 0, POSITION_DECIMALS) + CLEAR,
+    value: kept(distance ?? 0, POSITION_DECIMALS) + inProgram(program, CLEAR),
     incremental: false,
   }];
   const start: Statement = { kind: "path", path: "L", words: { ...noWords, axes, feed: "max", functions: [START_TURNING] } };
@@ -195,8 +198,8 @@ function withSpindleStarted(program: Program, call: number): Repair {
 }
 
 /** Another length or radius of an approach or departure. */
-function withLead(program: Program, index: number, word: "LEN" | "R", value: number): Repair | null {
-  const s = program.blocks[index]?.statement;
+function withLead(program: Program, index: number, word: "LEN" | "R", mm: number): Repair | null {
+  const s = program.blocks[index]?.statement, value = inProgram(program, mm);
   if (s?.kind !== "approach") return null;
   const next = () => withBlock(program, index, { ...s, words: { ...s.words, [word === "LEN" ? "length" : "radius"]: value } });
   return { kind: "write", text: `${word}${value}`, block: String(blockNumbers(program)[index] ?? ""), next, open: index };
@@ -234,9 +237,9 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
       return asking(insert(lastOf(program, program.blocks.length, (s) => s.kind === "begin") + 1, {
         kind: "blankCylinder",
         axis: "Z",
-        outside: { measure: "D", value: 80 },
-        length: 100,
-        distance: 1,
+        outside: { measure: "D", value: inProgram(program, 80) },
+        length: inProgram(program, 100),
+        distance: inProgram(program, 1),
         inside: null,
       }));
     case "labelNotClosed":
@@ -274,7 +277,8 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
   }
   if (issue.code === "startOnWrongSide") return [withStart(program, index, issue.data)];
   if (issue.code === "approachValueCutsContour") return maybe(withLead(program, index, issue.data.word, issue.data.nearest));
-  const nearest = nearestOf(entry);
-  if (nearest === null || at === null || program.blocks[index]?.statement.kind !== "cycle") return [];
-  return [{ kind: "take", text: nearest, block: "", open: index, next: () => withPrompt(program, index, at, String(nearest)) }];
+  const nearest = nearestOf(entry), s = program.blocks[index]?.statement;
+  if (nearest === null || at === null || s?.kind !== "cycle") return [];
+  const text = valueInProgram(cycleByNumber(s.cycle)?.params[at], nearest, countsInches(program));
+  return [{ kind: "take", text, block: "", open: index, next: () => withPrompt(program, index, at, String(text)) }];
 }

@@ -1,8 +1,7 @@
 import { useEffect, useRef } from "react";
 import { Icon } from "../Icon.tsx";
-import { writer } from "../../i18n/write.ts";
 import { issueText, placeInFile } from "../issue-text.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { chooseFinding, useChosen } from "./chosen.ts";
 import type { FindingEntry } from "./entry.ts";
@@ -18,7 +17,7 @@ const MOST = 300;
 /** One finding: what, where, the way there, and what mends it. */
 function Row({ entry, host, chosen }: { readonly entry: FindingEntry; readonly host: FindingsHost; readonly chosen: boolean }) {
   const t = useTexts();
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths();
   const row = useRef<HTMLLIElement>(null);
   const { issue, block, spot } = entry;
   const target = host.targetOf(entry);
@@ -48,8 +47,8 @@ function Row({ entry, host, chosen }: { readonly entry: FindingEntry; readonly h
           {where !== null && target?.name !== where && <span className="soft">· {where}</span>}
         </p>
         <p>
-          {issueText(t, language, issue, host.cycleOf(entry))}
-          {entry.thickness !== null && ` ${t.findings.residue.thick(writer(language).number(entry.thickness))}`}
+          {issueText(t, lengths, issue, host.cycleOf(entry))}
+          {entry.thickness !== null && ` ${lengths.words(t.findings.residue.thick(lengths.number(entry.thickness)))}`}
         </p>
         <div className="finding-ways">
           {host.remediesOf(entry).map(({ name, apply }) => (

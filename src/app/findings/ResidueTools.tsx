@@ -3,7 +3,7 @@ import { writer } from "../../i18n/write.ts";
 import type { Remedy } from "../../report/remedies.ts";
 import { remediesOf } from "../engine/client.ts";
 import { useOutcome } from "../engine/outcome.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { regionOfResidual } from "../which/region.ts";
 import { WhichButton } from "../which/WhichButton.tsx";
@@ -21,7 +21,7 @@ const byTool: ReadonlySet<string> = new Set(["insertRadius", "mainEdge", "second
 export function ResidueTools({ entry, host }: { readonly entry: FindingEntry; readonly host: FindingsHost }) {
   const t = useTexts();
   const words = t.findings.residue;
-  const write = writer(useSettings((s) => s.language));
+  const write = writer(useLengths());
   const newest = useOutcome((s) => s.newest);
   const [asked, ask] = useState<{ readonly of: typeof newest; readonly tools: readonly Remedy[] | "trying" | null }>({
     of: null,

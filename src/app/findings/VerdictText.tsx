@@ -1,5 +1,5 @@
 import { Icon, type IconName } from "../Icon.tsx";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { toneOf, type ShownVerdict } from "./verdict.ts";
 import { verdictReasons, verdictTitle } from "./verdict-words.ts";
@@ -19,7 +19,7 @@ const MOST = 4;
 /** The verdict on a program in words, with its reasons where there is room for them. The same everywhere on the page. */
 export function VerdictText({ verdict, reasons = 0 }: { readonly verdict: ShownVerdict; readonly reasons?: number }) {
   const t = useTexts().findings.verdict;
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths();
   const tone = toneOf(verdict);
   const icon = icons[tone];
   const all = reasons > 0 ? verdictReasons(t, verdict).slice(0, Math.min(MOST, reasons)) : [];
@@ -27,7 +27,7 @@ export function VerdictText({ verdict, reasons = 0 }: { readonly verdict: ShownV
     <span className={`verdict verdict-${tone}`}>
       {icon && <Icon name={icon} />}
       <span>
-        <span className="verdict-title">{verdictTitle(t, language, verdict)}</span>
+        <span className="verdict-title">{verdictTitle(t, lengths, verdict)}</span>
         {all.map((reason) => <span key={reason} className="verdict-reason">{reason}</span>)}
       </span>
     </span>

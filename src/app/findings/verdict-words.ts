@@ -1,19 +1,19 @@
 import type { Texts } from "../../i18n/index.ts";
-import type { Language } from "../../i18n/languages.ts";
+import type { Spoken } from "../../i18n/lengths.ts";
 import { writer } from "../../i18n/write.ts";
 import type { Doubt, ShownVerdict } from "./verdict.ts";
 
 type Words = Texts["findings"]["verdict"];
 
 /** The verdict in a few words. */
-export function verdictTitle(t: Words, language: Language, { state, doubts, faults, file, stays, warnings }: ShownVerdict): string {
+export function verdictTitle(t: Words, spoken: Spoken, { state, doubts, faults, file, stays, warnings }: ShownVerdict): string {
   if (state === "none") return t.none;
   if (state === "faults") return file === null ? t.faults(faults) : t.faultsIn(faults, file);
   const first = doubts[0];
   if (first?.kind === "unproved" && first.file !== undefined) return t.unprovedIn(first.file);
   if (first?.kind === "noOperation" && first.turned) return t.noCycle;
   if (first) return t[first.kind];
-  if (stays > 0) return t.stays(writer(language).area(stays));
+  if (stays > 0) return t.stays(writer(spoken).area(stays));
   return warnings > 0 ? t.warnings(warnings) : t.proved;
 }
 

@@ -1,29 +1,29 @@
 import { useEffect } from "react";
 import type { Texts } from "../../i18n/index.ts";
-import type { Language } from "../../i18n/languages.ts";
+import type { Lengths } from "../../i18n/lengths.ts";
 import { toneOf, type ShownVerdict } from "../findings/verdict.ts";
 import { verdictReasons, verdictTitle } from "../findings/verdict-words.ts";
 import { blockCount } from "../printed.ts";
 import { closeCopying, useCopying } from "../program/copy.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
 /** What is to be known of a program that is not all well. */
-function doubtOf(verdict: ShownVerdict, { dialog, findings }: Texts, language: Language): string {
+function doubtOf(verdict: ShownVerdict, { dialog, findings }: Texts, lengths: Lengths): string {
   if (verdict.faults > 0) return findings.leaving.withFaults(verdict.faults);
   if (verdict.open > 0) return `${dialog.done.open(verdict.open)}.`;
-  return [`${verdictTitle(findings.verdict, language, verdict)}.`, ...verdictReasons(findings.verdict, verdict).slice(0, 1)].join(" ");
+  return [`${verdictTitle(findings.verdict, lengths, verdict)}.`, ...verdictReasons(findings.verdict, verdict).slice(0, 1)].join(" ");
 }
 
 /** What was taken along, with the verdict on it; read out. `otherwise` is said while nothing was copied. */
 export function CopyStatus({ otherwise = "" }: { readonly otherwise?: string }) {
   const t = useTexts();
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths();
   const { state, text, verdict } = useCopying();
   useEffect(() => closeCopying, []);
   const copied = state === "copied" && verdict !== null;
   const tone = copied ? toneOf(verdict) : "good";
-  const note = copied && tone !== "good" && tone !== "plain" ? doubtOf(verdict, t, language) : "";
+  const note = copied && tone !== "good" && tone !== "plain" ? doubtOf(verdict, t, lengths) : "";
   return (
     <p role="status" className={`small copy-status copy-${tone}`}>
       {copied ? `${t.page.text.copiedLong(blockCount(text))} ${note}`.trim() : otherwise}

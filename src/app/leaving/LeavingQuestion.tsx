@@ -1,7 +1,7 @@
 import { showSection } from "../place.ts";
 import { Icon } from "../Icon.tsx";
 import { issueText, placeInFile } from "../issue-text.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { FindingsHost } from "../findings/host.ts";
 import { verdictReasons } from "../findings/verdict-words.ts";
@@ -18,7 +18,7 @@ export function LeavingQuestion({ asking: { way, verdict, faults, unchecked, ans
   readonly id: string })
 {
   const t = useTexts();
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths();
   const words = t.findings.leaving;
   const doubts = verdictReasons(t.findings.verdict, verdict).slice(0, MOST);
   return (
@@ -32,7 +32,7 @@ export function LeavingQuestion({ asking: { way, verdict, faults, unchecked, ans
         <ul>
           {faults.slice(0, MOST).map((entry) => (
             <li key={entry.id}>
-              {issueText(t, language, entry.issue, cycleOf(entry))}
+              {issueText(t, lengths, entry.issue, cycleOf(entry))}
               {entry.block !== null && (
                 <span className="soft">({entry.inFile ? placeInFile(t, entry.inFile) : t.findings.inBlock(String(entry.block))})</span>
               )}

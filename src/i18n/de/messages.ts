@@ -38,37 +38,37 @@ export const messages = {
     notAChoice: (d, w) => `${w.number(d.value)} steht nicht zur Wahl (${d.choices.join(", ")}).${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `Start und Ende sind gleich: auch ${d.other} ist ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
     startLevelWithEnd: (d, w) =>
-      `Der Startpunkt steht auf ${d.axis} ${w.number(d.value)}, wo die Kontur endet: Dazwischen gibt es nichts zu zerspanen.`,
+      `Der Startpunkt steht auf ${d.axis} ${w.size(d.value)}, wo die Kontur endet: Dazwischen gibt es nichts zu zerspanen.`,
     diameterNegative: (d, w) =>
       `${w.value(d.value)} ist ein Durchmesser jenseits der Drehachse, dort wird keine Kontur geplant.${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) =>
-      `${w.number(d.size)} ist länger, als das Element erlaubt: höchstens ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
+      `${w.size(d.size)} ist länger, als das Element erlaubt: höchstens ${w.size(d.max)}.${nearest(d.nearest, w.size)}`,
     cornersTooWide: (d, w) =>
-      `Zwei Eckenradien von ${w.number(d.radius)} sind breiter als der Grund: höchstens ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
+      `Zwei Eckenradien von ${w.size(d.radius)} sind breiter als der Grund: höchstens ${w.size(d.max)}.${nearest(d.nearest, w.size)}`,
     wallsMeet: (d, w) =>
       `Mit ${w.angle(d.angle)} treffen sich die Flanken über dem Grund: weniger als ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
     cornerSmallerThanInsert: (d, w) =>
-      `Eckenradius ${w.number(d.radius)} ist kleiner als der Schneidenradius ${w.number(d.insert)}: Die Ecke `
-      + `behält ${w.number(d.insert)}.${nearest(d.nearest, w.number)}`,
+      `Eckenradius ${w.size(d.radius)} ist kleiner als der Schneidenradius ${w.size(d.insert)}: Die Ecke `
+      + `behält ${w.size(d.insert)}.${nearest(d.nearest, w.size)}`,
     recessNarrowerThanTool: (d, w) =>
-      `Der Grund des Einstichs ist ${w.number(d.width)} breit, Werkzeug und Aufmaß brauchen ${w.number(d.tool)}.`
+      `Der Grund des Einstichs ist ${w.size(d.width)} breit, Werkzeug und Aufmaß brauchen ${w.size(d.tool)}.`
       + `${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "" : `Element ${d.element}: `}Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: Die ${
         reasons[d.edge]
       } lässt ${w.angle(d.max)} zu, ` + `Material bleibt stehen.${nearest(d.nearest, w.angle)}`,
-    tooManyPasses: (d, w) => `${d.passes} Schnitte sind mehr als ${d.most}.${nearest(d.nearest, w.number)}`,
+    tooManyPasses: (d, w) => `${d.passes} Schnitte sind mehr als ${d.most}.${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
-      `Zustellung ${w.number(d.infeed)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Sie wird auf `
-      + `${w.number(d.cutLength)} verringert.`,
+      `Zustellung ${w.size(d.infeed)} ist größer als CUTLENGTH ${w.size(d.cutLength)}: Sie wird auf `
+      + `${w.size(d.cutLength)} verringert.`,
     depthOverCutLength: (d, w) =>
-      `Tiefe ${w.number(d.depth)} ist größer als CUTLENGTH ${w.number(d.cutLength)}: Der Rest bleibt stehen.${nearest(d.nearest, w.value)}`,
+      `Tiefe ${w.size(d.depth)} ist größer als CUTLENGTH ${w.size(d.cutLength)}: Der Rest bleibt stehen.${nearest(d.nearest, w.value)}`,
     offsetReduced: (d, w) =>
-      `Versatz ${w.number(d.offset)} wird auf ${w.number(d.kept)} verringert: 80 % der wirksamen Breite müssen ` + "für "
+      `Versatz ${w.size(d.offset)} wird auf ${w.size(d.kept)} verringert: 80 % der wirksamen Breite müssen ` + "für "
       + (d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitte`) + " reichen.",
     offsetOverLimit: (d, w) =>
       "Der seitliche Versatz von " + (d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitten`)
-      + ` ergibt ${w.number(d.offset)}; 80 % der wirksamen Breite sind ${w.number(d.max)}.` + `${nearest(d.nearest, w.number)}`,
+      + ` ergibt ${w.size(d.offset)}; 80 % der wirksamen Breite sind ${w.size(d.max)}.` + `${nearest(d.nearest, w.size)}`,
     toolUnfit: (d) =>
       `Ein Werkzeug vom Typ ${d.type} mit Werkzeugorientierung ${d.orientation} kann das nicht. Geeignet: `
       + `${d.types.join(" oder ")} mit Werkzeugorientierung ${d.orientations.join(", ")}.`,
@@ -92,18 +92,18 @@ export const messages = {
     betterTool: (d) => `Werkzeug ${d.tool} ${d.name} kann diese Kontur fertigen.`,
     startInArea: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} liegt im Zerspanbereich: Das Werkzeug fährt zuerst auf Sicherheitsabstand.`,
     startInMaterial: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} steht im Material.`,
-    startBelowContour: (d, w) => `Der Startpunkt liegt ${w.number(d.below)} mm unter dem Konturstart: Das Werkzeug fährt zuerst dorthin.`,
+    startBelowContour: (d, w) => `Der Startpunkt liegt ${w.length(d.below)} unter dem Konturstart: Das Werkzeug fährt zuerst dorthin.`,
     startInPart: (d, w) =>
       `Der Startpunkt liegt im Fertigteil: Von dort wird nichts zerspant. Ein Startpunkt, der geht: ${w.place(d.x, d.z)}.`,
     insertAcrossAxis: (d, w) =>
-      `Die Schneidplatte reicht ${w.number(d.reach)} mm über die Drehachse und verletzt dort das Fertigteil.`
+      `Die Schneidplatte reicht ${w.length(d.reach)} über die Drehachse und verletzt dort das Fertigteil.`
       + (d.nearest === undefined
         ? " Für diese Bohrung ist sie zu lang."
         : ` Mit dem Startpunkt ab X${w.diameter(d.nearest)} bleibt sie frei.`),
     startOnWrongSide: (d, w) =>
       `Die Kontur läuft auf den Startpunkt zu: Von dort wird nichts zerspant. Ein Startpunkt, der geht: ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
-      `Der Startpunkt liegt näher an der Kontur als der Abstand ${w.number(d.clearance)}: Das Werkzeug fährt `
+      `Der Startpunkt liegt näher an der Kontur als der Abstand ${w.size(d.clearance)}: Das Werkzeug fährt `
       + "mit Schlichtvorschub direkt zur Kontur.",
     limitOnWrongSide: (d, w) =>
       `Mit der Grenze ${w.value(d.limit)} wird auf der Seite des Werkzeugs nichts zerspant.${nearest(d.nearest, w.value)}`,
@@ -125,13 +125,12 @@ export const messages = {
     contourPoint: (d) => `Element ${d.element}: Der Endpunkt fehlt oder ist nicht erreichbar.`,
     cornerElementAlone: (d) => `Element ${d.element}: Fase und Rundung brauchen ein Element davor und dahinter, eine Fase zwei Geraden.`,
     cornerElementTooLong: (d, w) =>
-      `Element ${d.element}: ${w.number(d.size)} passt nicht zwischen die Nachbarelemente: höchstens ${w.number(d.max)}`
-      + `.${nearest(d.nearest, w.number)}`,
+      `Element ${d.element}: ${w.size(d.size)} passt nicht zwischen die Nachbarelemente: höchstens ${w.size(d.max)}`
+      + `.${nearest(d.nearest, w.size)}`,
     arcOffCircle: (d, w) =>
-      `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.number(d.gap)}.`
-      + (d.nearest === undefined ? "" : ` Möglicher Radius: ${w.number(d.nearest)}.`),
-    arcTooSmall: (d, w) =>
-      `Element ${d.element}: Radius ${w.number(d.radius)} ist zu klein für den Endpunkt.${nearest(d.nearest, w.number)}`,
+      `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.size(d.gap)}.`
+      + (d.nearest === undefined ? "" : ` Möglicher Radius: ${w.size(d.nearest)}.`),
+    arcTooSmall: (d, w) => `Element ${d.element}: Radius ${w.size(d.radius)} ist zu klein für den Endpunkt.${nearest(d.nearest, w.size)}`,
     elementFree:
       (d) => (d.freedom === 1
         ? `Element ${d.element}: Noch 1 Angabe ist nötig.`
@@ -148,20 +147,20 @@ export const messages = {
     centreMissing: (d) => `Element ${d.element}: Der Kreismittelpunkt fehlt; CC davor programmieren.`,
     contourCrossesItself: (d) => `Element ${d.element} kreuzt Element ${d.other}.`,
     toolRadiusTooLarge: (d, w) =>
-      `Element ${d.element}: Ein Werkzeugradius von ${w.number(d.radius)} passt nicht.${nearest(d.nearest, w.number)}`,
+      `Element ${d.element}: Ein Werkzeugradius von ${w.size(d.radius)} passt nicht.${nearest(d.nearest, w.size)}`,
     approachNeedsSide: () => "CT braucht RL oder RR: Mit R0 hält die Steuerung hier an.",
     approachSideAssumed: () =>
       "R0 nennt keine Seite: Angenommen wird, dass das Werkzeug von links der Kontur kommt. An der Steuerung prüfen.",
     approachInsideCircle: (d, w) =>
-      `${d.point} liegt im Kreis mit R ${w.number(d.radius)}: Keine Gerade von dort berührt ihn.${nearest(d.nearest, w.number)}`,
+      `${d.point} liegt im Kreis mit R ${w.size(d.radius)}: Keine Gerade von dort berührt ihn.${nearest(d.nearest, w.size)}`,
     approachCutsContour: (d, w) =>
-      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.number(d.depth)}`
+      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.size(d.depth)}`
       + ` mm in sie ein; die Steuerung prüft das nicht. Frei ist ${d.point} ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
     approachValueCutsContour: (d, w) =>
-      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.number(d.depth)}`
-      + ` mm in sie ein; die Steuerung prüft das nicht. Frei mit ${d.word} ${w.number(d.nearest)}.`,
+      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.size(d.depth)}`
+      + ` mm in sie ein; die Steuerung prüft das nicht. Frei mit ${d.word} ${w.size(d.nearest)}.`,
     approachBlocked: (d, w) =>
-      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.number(d.depth)}`
+      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.size(d.depth)}`
       + " mm in sie ein; die Steuerung prüft das nicht.",
     undercutNeighbours: (d) =>
       `Element ${d.element}: Ein Freistich braucht einen achsparallelen Zylinder und eine Planfläche dazu, ein Einstich ein `
@@ -178,7 +177,7 @@ export const messages = {
       + "danach nicht mehr gesucht.",
     deeperThanInfeed: (d, w) =>
       "" + (d.pass === undefined ? "Ein Glätt- oder Schlichtschnitt" : `Schnitt ${w.number(d.pass)}`)
-      + ` nimmt ${w.number(d.depth)} mm Material auf einmal; erlaubt sind ${w.number(d.allowed)} mm.`,
+      + ` nimmt ${w.length(d.depth)} Material auf einmal; erlaubt sind ${w.length(d.allowed)}.`,
     blankLacks: (d, w) => `${w.text(d.what)} lässt ${w.area(d.area)} von dem Material aus, das laut Programm dort steht. Der Umriss gilt.`,
     blankGone: (d, w) => `${w.text(d.what)} umreißt ${w.area(d.area)}, wo nichts mehr steht. Was abgetragen ist, bleibt abgetragen.`,
     nothingCut: () => "Diese Bearbeitung trägt kein Material ab.",
@@ -255,7 +254,7 @@ export const messages = {
           w.diameter(d.contour)
         }: Es wird nichts zerspant. Vorschlag: ${w.diameter(d.nearest)}.`,
         length: `Die Kontur reicht bis Z${w.signed(d.contour)}, das Rohteil nur bis Z${w.signed(d.blank)}. Vorschlag: ${
-          w.number(d.nearest)
+          w.size(d.nearest)
         }.`,
         allowance: `Die Kontur beginnt bei Z${w.signed(d.contour)}, das Rohteil erst bei Z${
           w.signed(d.blank)

@@ -39,35 +39,34 @@ export const messages = {
     notAChoice: (d, w) => `${w.number(d.value)} is not one of ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `Start and end are the same: ${d.other} is ${w.value(d.value)} too.${nearest(d.nearest, w.value)}`,
     startLevelWithEnd: (d, w) =>
-      `The start point stands at ${d.axis} ${w.number(d.value)}, where the contour ends: between the two there is nothing to cut.`,
+      `The start point stands at ${d.axis} ${w.size(d.value)}, where the contour ends: between the two there is nothing to cut.`,
     diameterNegative: (d, w) =>
       `${w.value(d.value)} is a diameter on the far side of the axis, where no contour is planned.${nearest(d.nearest, w.value)}`,
-    elementTooLong: (d, w) =>
-      `${w.number(d.size)} is longer than the element allows: ${w.number(d.max)} at most.${nearest(d.nearest, w.number)}`,
+    elementTooLong: (d, w) => `${w.size(d.size)} is longer than the element allows: ${w.size(d.max)} at most.${nearest(d.nearest, w.size)}`,
     cornersTooWide: (d, w) =>
-      `Two corner radii of ${w.number(d.radius)} are wider than the floor: ${w.number(d.max)} at most.${nearest(d.nearest, w.number)}`,
+      `Two corner radii of ${w.size(d.radius)} are wider than the floor: ${w.size(d.max)} at most.${nearest(d.nearest, w.size)}`,
     wallsMeet: (d, w) =>
       `With ${w.angle(d.angle)} the walls meet above the floor: less than ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
     cornerSmallerThanInsert: (d, w) =>
-      `Corner radius ${w.number(d.radius)} is smaller than the insert's ${w.number(d.insert)}: the corner will `
-      + `keep ${w.number(d.insert)}.${nearest(d.nearest, w.number)}`,
+      `Corner radius ${w.size(d.radius)} is smaller than the insert's ${w.size(d.insert)}: the corner will `
+      + `keep ${w.size(d.insert)}.${nearest(d.nearest, w.size)}`,
     recessNarrowerThanTool: (d, w) =>
-      `The floor of the recess is ${w.number(d.width)} wide, tool and oversize need ${w.number(d.tool)}.${nearest(d.nearest, w.value)}`,
+      `The floor of the recess is ${w.size(d.width)} wide, tool and oversize need ${w.size(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "The" : `Element ${d.element}: the`} tool cannot follow ${w.angle(d.angle)}: ${reasons[d.edge]} allows ${
         w.angle(d.max)
       }, material stays.` + `${nearest(d.nearest, w.angle)}`,
-    tooManyPasses: (d, w) => `${d.passes} passes are more than ${d.most}.${nearest(d.nearest, w.number)}`,
+    tooManyPasses: (d, w) => `${d.passes} passes are more than ${d.most}.${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
-      `Infeed ${w.number(d.infeed)} is more than CUTLENGTH ${w.number(d.cutLength)}: it is reduced to ${w.number(d.cutLength)}.`,
+      `Infeed ${w.size(d.infeed)} is more than CUTLENGTH ${w.size(d.cutLength)}: it is reduced to ${w.size(d.cutLength)}.`,
     depthOverCutLength: (d, w) =>
-      `Depth ${w.number(d.depth)} is more than CUTLENGTH ${w.number(d.cutLength)}: the rest stays.${nearest(d.nearest, w.value)}`,
+      `Depth ${w.size(d.depth)} is more than CUTLENGTH ${w.size(d.cutLength)}: the rest stays.${nearest(d.nearest, w.value)}`,
     offsetReduced: (d, w) =>
-      `Offset ${w.number(d.offset)} is reduced to ${w.number(d.kept)}: `
+      `Offset ${w.size(d.offset)} is reduced to ${w.size(d.kept)}: `
       + `${count(d.passes, "pass shares", "passes share")} 80 % of the effective width.`,
     offsetOverLimit: (d, w) =>
-      `The side offset of ${count(d.passes, "pass", "passes")} adds up to ${w.number(d.offset)}; 80 % of the `
-      + `effective width is ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
+      `The side offset of ${count(d.passes, "pass", "passes")} adds up to ${w.size(d.offset)}; 80 % of the `
+      + `effective width is ${w.size(d.max)}.${nearest(d.nearest, w.size)}`,
     toolUnfit: (d) =>
       `A ${d.type} tool with tip orientation ${d.orientation} cannot do this. Take ${d.types.join(" or ")} with `
       + `orientation ${d.orientations.join(", ")}.`,
@@ -88,18 +87,18 @@ export const messages = {
     betterTool: (d) => `Tool ${d.tool} ${d.name} can make this contour.`,
     startInArea: (d, w) => `The start point ${w.place(d.x, d.z)} lies in the area to be cut: the tool first moves to the set-up clearance.`,
     startInMaterial: (d, w) => `The start point ${w.place(d.x, d.z)} stands in the material.`,
-    startBelowContour: (d, w) => `The start point lies ${w.number(d.below)} mm below the contour start: the tool first moves up to it.`,
+    startBelowContour: (d, w) => `The start point lies ${w.length(d.below)} below the contour start: the tool first moves up to it.`,
     startInPart: (d, w) =>
       `The start point lies inside the finished part: nothing is cut from there. A start point that works: ${w.place(d.x, d.z)}.`,
     insertAcrossAxis: (d, w) =>
-      `The insert reaches ${w.number(d.reach)} mm across the axis and cuts into the finished part there.`
+      `The insert reaches ${w.length(d.reach)} across the axis and cuts into the finished part there.`
       + (d.nearest === undefined
         ? " It is too long for this bore."
         : ` From a start point at X${w.diameter(d.nearest)} on it stays clear.`),
     startOnWrongSide: (d, w) =>
       `The contour runs towards the start point: nothing is cut from there. A start point that works: ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
-      `The start point is nearer to the contour than the clearance of ${w.number(d.clearance)}: the tool goes `
+      `The start point is nearer to the contour than the clearance of ${w.size(d.clearance)}: the tool goes `
       + "straight to the contour at the finishing feed.",
     limitOnWrongSide: (d, w) =>
       `With the limit ${w.value(d.limit)} nothing is cut on the side where the tool stands.${nearest(d.nearest, w.value)}`,
@@ -118,13 +117,12 @@ export const messages = {
     cornerElementAlone: (d) =>
       `Element ${d.element}: a chamfer or rounding needs an element before and behind it; a chamfer needs two lines.`,
     cornerElementTooLong: (d, w) =>
-      `Element ${d.element}: ${w.number(d.size)} does not fit between its neighbours: ${w.number(d.max)} at `
-      + `most.${nearest(d.nearest, w.number)}`,
+      `Element ${d.element}: ${w.size(d.size)} does not fit between its neighbours: ${w.size(d.max)} at `
+      + `most.${nearest(d.nearest, w.size)}`,
     arcOffCircle: (d, w) =>
-      `Element ${d.element}: the end point misses its circle by ${w.number(d.gap)}.`
-      + (d.nearest === undefined ? "" : ` Radius that works: ${w.number(d.nearest)}.`),
-    arcTooSmall: (d, w) =>
-      `Element ${d.element}: radius ${w.number(d.radius)} is too small for its end point.${nearest(d.nearest, w.number)}`,
+      `Element ${d.element}: the end point misses its circle by ${w.size(d.gap)}.`
+      + (d.nearest === undefined ? "" : ` Radius that works: ${w.size(d.nearest)}.`),
+    arcTooSmall: (d, w) => `Element ${d.element}: radius ${w.size(d.radius)} is too small for its end point.${nearest(d.nearest, w.size)}`,
     elementFree:
       (d) => (d.freedom === 1
         ? `Element ${d.element}: one more value is needed.`
@@ -139,20 +137,19 @@ export const messages = {
     elementUnreachable: (d) => `Element ${d.element}: with this length, radius or angle it does not reach its neighbour.`,
     centreMissing: (d) => `Element ${d.element}: its centre is missing; put CC before it.`,
     contourCrossesItself: (d) => `Element ${d.element} crosses element ${d.other}.`,
-    toolRadiusTooLarge: (d, w) =>
-      `Element ${d.element}: a tool radius of ${w.number(d.radius)} does not fit.${nearest(d.nearest, w.number)}`,
+    toolRadiusTooLarge: (d, w) => `Element ${d.element}: a tool radius of ${w.size(d.radius)} does not fit.${nearest(d.nearest, w.size)}`,
     approachNeedsSide: () => "CT needs RL or RR: with R0 the control stops here.",
     approachSideAssumed: () => "R0 names no side: the tool is taken to come from the left of the contour. Verify on your control.",
     approachInsideCircle: (d, w) =>
-      `${d.point} lies inside the circle of R ${w.number(d.radius)}: no line from there touches it.${nearest(d.nearest, w.number)}`,
+      `${d.point} lies inside the circle of R ${w.size(d.radius)}: no line from there touches it.${nearest(d.nearest, w.size)}`,
     approachCutsContour: (d, w) =>
-      `Between ${d.point} and the contour the tool cuts ${w.number(d.depth)} mm into it at ${w.spot(d.x, d.y, d.z)}`
+      `Between ${d.point} and the contour the tool cuts ${w.length(d.depth)} into it at ${w.spot(d.x, d.y, d.z)}`
       + `; the control does not check this. Free ${d.point}: ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
     approachValueCutsContour: (d, w) =>
-      `Between ${d.point} and the contour the tool cuts ${w.number(d.depth)} mm into it at ${w.spot(d.x, d.y, d.z)}`
-      + `; the control does not check this. Free with ${d.word} ${w.number(d.nearest)}.`,
+      `Between ${d.point} and the contour the tool cuts ${w.length(d.depth)} into it at ${w.spot(d.x, d.y, d.z)}`
+      + `; the control does not check this. Free with ${d.word} ${w.size(d.nearest)}.`,
     approachBlocked: (d, w) =>
-      `Between ${d.point} and the contour the tool cuts ${w.number(d.depth)} mm into it at ${w.spot(d.x, d.y, d.z)}`
+      `Between ${d.point} and the contour the tool cuts ${w.length(d.depth)} into it at ${w.spot(d.x, d.y, d.z)}`
       + "; the control does not check this.",
     undercutNeighbours: (d) =>
       `Element ${d.element}: an undercut needs a cylinder parallel to the axis and a face square to it; a recess needs a `
@@ -167,7 +164,7 @@ export const messages = {
       `${d.limit} moves cut the part, ran into material or touched it with the holder: from here on moves were not looked at for that.`,
     deeperThanInfeed: (d, w) =>
       "" + (d.pass === undefined ? "A smoothing or finishing cut" : `Pass ${w.number(d.pass)}`)
-      + ` takes ${w.number(d.depth)} mm of stock at once; ${w.number(d.allowed)} mm are allowed.`,
+      + ` takes ${w.length(d.depth)} of stock at once; ${w.length(d.allowed)} are allowed.`,
     blankLacks: (d, w) =>
       `${w.text(d.what)} leaves out ${w.area(d.area)} of the material that stands there by the program. The outline counts.`,
     blankGone: (d, w) => `${w.text(d.what)} outlines ${w.area(d.area)} where nothing stands any more. What has been cut stays cut.`,
@@ -236,7 +233,7 @@ export const messages = {
         bore: `The bore of the blank is ${w.diameter(d.blank)}, the contour ends at ${w.diameter(d.contour)}: nothing is cut. Proposed: ${
           w.diameter(d.nearest)
         }.`,
-        length: `The contour reaches Z${w.signed(d.contour)}, the blank only Z${w.signed(d.blank)}. Proposed: ${w.number(d.nearest)}.`,
+        length: `The contour reaches Z${w.signed(d.contour)}, the blank only Z${w.signed(d.blank)}. Proposed: ${w.size(d.nearest)}.`,
         allowance: `The contour begins at Z${w.signed(d.contour)}, the blank at Z${w.signed(d.blank)}: it is cut in the air. Proposed: ${
           w.signed(d.nearest)
         }.`,

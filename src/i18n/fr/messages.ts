@@ -38,37 +38,37 @@ export const messages = {
     notAChoice: (d, w) => `${w.number(d.value)} n’est pas un des choix ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `Départ et fin sont identiques : ${d.other} vaut aussi ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
     startLevelWithEnd: (d, w) =>
-      `Le point de départ est à ${d.axis} ${w.number(d.value)}, là où finit le contour : entre les deux, il n’y a rien à usiner.`,
+      `Le point de départ est à ${d.axis} ${w.size(d.value)}, là où finit le contour : entre les deux, il n’y a rien à usiner.`,
     diameterNegative: (d, w) =>
       `${w.value(d.value)} est un diamètre au-delà de l’axe, où aucun contour n’est calculé.${nearest(d.nearest, w.value)}`,
     elementTooLong: (d, w) =>
-      `${w.number(d.size)} est plus long que l’élément ne le permet : ${w.number(d.max)} au plus.${nearest(d.nearest, w.number)}`,
+      `${w.size(d.size)} est plus long que l’élément ne le permet : ${w.size(d.max)} au plus.${nearest(d.nearest, w.size)}`,
     cornersTooWide: (d, w) =>
-      `Deux rayons de coin de ${w.number(d.radius)} dépassent la largeur du fond : ${w.number(d.max)} au plus.`
-      + `${nearest(d.nearest, w.number)}`,
+      `Deux rayons de coin de ${w.size(d.radius)} dépassent la largeur du fond : ${w.size(d.max)} au plus.`
+      + `${nearest(d.nearest, w.size)}`,
     wallsMeet: (d, w) =>
       `Avec ${w.angle(d.angle)}, les flancs se rejoignent au-dessus du fond : moins de ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
     cornerSmallerThanInsert: (d, w) =>
-      `Le rayon de coin ${w.number(d.radius)} est inférieur à celui de la plaquette, ${w.number(d.insert)} : le `
-      + `coin gardera ${w.number(d.insert)}.${nearest(d.nearest, w.number)}`,
+      `Le rayon de coin ${w.size(d.radius)} est inférieur à celui de la plaquette, ${w.size(d.insert)} : le `
+      + `coin gardera ${w.size(d.insert)}.${nearest(d.nearest, w.size)}`,
     recessNarrowerThanTool: (d, w) =>
-      `Le fond de la gorge est large de ${w.number(d.width)}, l’outil et la surépaisseur demandent `
-      + `${w.number(d.tool)}.${nearest(d.nearest, w.value)}`,
+      `Le fond de la gorge est large de ${w.size(d.width)}, l’outil et la surépaisseur demandent `
+      + `${w.size(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "L’" : `Élément ${d.element} : l’`}outil ne peut pas suivre ${w.angle(d.angle)} : l’${
         reasons[d.edge]
       } permet ${w.angle(d.max)}, de la ` + `matière reste.${nearest(d.nearest, w.angle)}`,
-    tooManyPasses: (d, w) => `${d.passes} passes, c’est plus que ${d.most}.${nearest(d.nearest, w.number)}`,
+    tooManyPasses: (d, w) => `${d.passes} passes, c’est plus que ${d.most}.${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
-      `La passe ${w.number(d.infeed)} dépasse CUTLENGTH ${w.number(d.cutLength)} : elle est réduite à ${w.number(d.cutLength)}.`,
+      `La passe ${w.size(d.infeed)} dépasse CUTLENGTH ${w.size(d.cutLength)} : elle est réduite à ${w.size(d.cutLength)}.`,
     depthOverCutLength: (d, w) =>
-      `La profondeur ${w.number(d.depth)} dépasse CUTLENGTH ${w.number(d.cutLength)} : de la matière reste.${nearest(d.nearest, w.value)}`,
+      `La profondeur ${w.size(d.depth)} dépasse CUTLENGTH ${w.size(d.cutLength)} : de la matière reste.${nearest(d.nearest, w.value)}`,
     offsetReduced: (d, w) =>
-      `Le décalage ${w.number(d.offset)} est réduit à ${w.number(d.kept)} : `
+      `Le décalage ${w.size(d.offset)} est réduit à ${w.size(d.kept)} : `
       + `${count(d.passes, "passe se partage", "passes se partagent")} 80 % de la largeur effective.`,
     offsetOverLimit: (d, w) =>
-      `Le décalage latéral de ${count(d.passes, "passe", "passes")} atteint ${w.number(d.offset)} ; 80 % de la `
-      + `largeur effective font ${w.number(d.max)}.${nearest(d.nearest, w.number)}`,
+      `Le décalage latéral de ${count(d.passes, "passe", "passes")} atteint ${w.size(d.offset)} ; 80 % de la `
+      + `largeur effective font ${w.size(d.max)}.${nearest(d.nearest, w.size)}`,
     toolUnfit: (d) =>
       `Un outil ${d.type} d’orientation ${d.orientation} ne convient pas. Prendre ${d.types.join(" ou ")} avec `
       + `l’orientation ${d.orientations.join(", ")}.`,
@@ -91,18 +91,18 @@ export const messages = {
     startInArea: (d, w) =>
       `Le point de départ ${w.place(d.x, d.z)} est dans la zone à usiner : l’outil va d’abord à la distance d’approche.`,
     startInMaterial: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la matière.`,
-    startBelowContour: (d, w) => `Le point de départ est ${w.number(d.below)} mm sous le début du contour : l’outil s’y rend d’abord.`,
+    startBelowContour: (d, w) => `Le point de départ est ${w.length(d.below)} sous le début du contour : l’outil s’y rend d’abord.`,
     startInPart: (d, w) =>
       `Le point de départ est dans la pièce finie : rien n’est usiné de là. Un point de départ possible : ${w.place(d.x, d.z)}.`,
     insertAcrossAxis: (d, w) =>
-      `La plaquette dépasse l’axe de ${w.number(d.reach)} mm et y entame la pièce finie.`
+      `La plaquette dépasse l’axe de ${w.length(d.reach)} et y entame la pièce finie.`
       + (d.nearest === undefined
         ? " Elle est trop longue pour cet alésage."
         : ` Avec un point de départ à partir de X${w.diameter(d.nearest)}, elle reste dégagée.`),
     startOnWrongSide: (d, w) =>
       `Le contour se dirige vers le point de départ : rien n’est usiné de ce côté. Un point de départ possible : ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>
-      `Le point de départ est plus près du contour que la distance ${w.number(d.clearance)} : l’outil va droit `
+      `Le point de départ est plus près du contour que la distance ${w.size(d.clearance)} : l’outil va droit `
       + "au contour à l’avance de finition.",
     limitOnWrongSide: (d, w) => `Avec la limite ${w.value(d.limit)}, rien n’est usiné du côté de l’outil.${nearest(d.nearest, w.value)}`,
     cutBehindLimit: (d, w) =>
@@ -122,13 +122,13 @@ export const messages = {
     cornerElementAlone: (d) =>
       `Élément ${d.element} : un chanfrein ou un arrondi demande un élément avant et après, un chanfrein deux droites.`,
     cornerElementTooLong: (d, w) =>
-      `Élément ${d.element} : ${w.number(d.size)} ne tient pas entre ses voisins : ${w.number(d.max)} au plus.`
-      + `${nearest(d.nearest, w.number)}`,
+      `Élément ${d.element} : ${w.size(d.size)} ne tient pas entre ses voisins : ${w.size(d.max)} au plus.`
+      + `${nearest(d.nearest, w.size)}`,
     arcOffCircle: (d, w) =>
-      `Élément ${d.element} : le point final manque son cercle de ${w.number(d.gap)}.`
-      + (d.nearest === undefined ? "" : ` Rayon possible : ${w.number(d.nearest)}.`),
+      `Élément ${d.element} : le point final manque son cercle de ${w.size(d.gap)}.`
+      + (d.nearest === undefined ? "" : ` Rayon possible : ${w.size(d.nearest)}.`),
     arcTooSmall: (d, w) =>
-      `Élément ${d.element} : le rayon ${w.number(d.radius)} est trop petit pour le point final.${nearest(d.nearest, w.number)}`,
+      `Élément ${d.element} : le rayon ${w.size(d.radius)} est trop petit pour le point final.${nearest(d.nearest, w.size)}`,
     elementFree:
       (d) => (d.freedom === 1 ? `Élément ${d.element} : il manque une valeur.` : `Élément ${d.element} : il manque ${d.freedom} valeurs.`),
     elementContradicts: (
@@ -142,21 +142,21 @@ export const messages = {
     centreMissing: (d) => `Élément ${d.element} : le centre manque ; placer CC avant.`,
     contourCrossesItself: (d) => `L’élément ${d.element} croise l’élément ${d.other}.`,
     toolRadiusTooLarge: (d, w) =>
-      `Élément ${d.element} : un rayon d’outil de ${w.number(d.radius)} ne passe pas.${nearest(d.nearest, w.number)}`,
+      `Élément ${d.element} : un rayon d’outil de ${w.size(d.radius)} ne passe pas.${nearest(d.nearest, w.size)}`,
     approachNeedsSide: () => "CT demande RL ou RR : avec R0, la commande s’arrête ici.",
     approachSideAssumed: () =>
       "R0 ne dit pas de quel côté : l’outil est supposé venir de la gauche du contour. À vérifier sur la commande.",
     approachInsideCircle: (d, w) =>
-      `${d.point} est à l’intérieur du cercle de R ${w.number(d.radius)} : aucune droite ne le touche depuis ce `
-      + `point.${nearest(d.nearest, w.number)}`,
+      `${d.point} est à l’intérieur du cercle de R ${w.size(d.radius)} : aucune droite ne le touche depuis ce `
+      + `point.${nearest(d.nearest, w.size)}`,
     approachCutsContour: (d, w) =>
-      `Entre ${d.point} et le contour, l’outil l’entame de ${w.number(d.depth)} mm en ${w.spot(d.x, d.y, d.z)} `
+      `Entre ${d.point} et le contour, l’outil l’entame de ${w.length(d.depth)} en ${w.spot(d.x, d.y, d.z)} `
       + `; la commande ne le contrôle pas. ${d.point} libre : ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
     approachValueCutsContour: (d, w) =>
-      `Entre ${d.point} et le contour, l’outil l’entame de ${w.number(d.depth)} mm en ${w.spot(d.x, d.y, d.z)} `
-      + `; la commande ne le contrôle pas. Libre avec ${d.word} ${w.number(d.nearest)}.`,
+      `Entre ${d.point} et le contour, l’outil l’entame de ${w.length(d.depth)} en ${w.spot(d.x, d.y, d.z)} `
+      + `; la commande ne le contrôle pas. Libre avec ${d.word} ${w.size(d.nearest)}.`,
     approachBlocked: (d, w) =>
-      `Entre ${d.point} et le contour, l’outil l’entame de ${w.number(d.depth)} mm en ${w.spot(d.x, d.y, d.z)} `
+      `Entre ${d.point} et le contour, l’outil l’entame de ${w.length(d.depth)} en ${w.spot(d.x, d.y, d.z)} `
       + "; la commande ne le contrôle pas.",
     undercutNeighbours: (d) =>
       `Élément ${d.element} : un dégagement demande un cylindre parallèle à l’axe et une face perpendiculaire, une gorge un `
@@ -172,7 +172,7 @@ export const messages = {
       + "partir d’ici, cela n’a plus été recherché.",
     deeperThanInfeed: (d, w) =>
       "" + (d.pass === undefined ? "Une passe de lissage ou de finition" : `La passe ${w.number(d.pass)}`)
-      + ` prend ${w.number(d.depth)} mm de matière d’un coup ; ${w.number(d.allowed)} mm sont permis.`,
+      + ` prend ${w.length(d.depth)} de matière d’un coup ; ${w.length(d.allowed)} sont permis.`,
     blankLacks: (d, w) =>
       `${w.text(d.what)} omet ${w.area(d.area)} de la matière qui s’y trouve d’après le programme. C’est ce contour qui compte.`,
     blankGone: (d, w) => `${w.text(d.what)} décrit ${w.area(d.area)} là où il n’y a plus rien. Ce qui est enlevé reste enlevé.`,
@@ -253,7 +253,7 @@ export const messages = {
           w.diameter(d.nearest)
         }.`,
         length: `Le contour va jusqu’à Z${w.signed(d.contour)}, le brut seulement jusqu’à Z${w.signed(d.blank)}. Proposé : ${
-          w.number(d.nearest)
+          w.size(d.nearest)
         }.`,
         allowance: `Le contour commence à Z${w.signed(d.contour)}, le brut à Z${w.signed(d.blank)} : passes à vide. Proposé : ${
           w.signed(d.nearest)

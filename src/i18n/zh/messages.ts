@@ -36,26 +36,25 @@ export const messages = {
     notWhole: (d, w) => `${w.number(d.value)}不是整数。${nearest(d.nearest, w.number)}`,
     notAChoice: (d, w) => `${w.number(d.value)}不在可选值${d.choices.join("、")}中。${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `起点与终点相同：${d.other}也是${w.value(d.value)}。${nearest(d.nearest, w.value)}`,
-    startLevelWithEnd: (d, w) => `起点位于${d.axis} ${w.number(d.value)}，与轮廓终点相同：两者之间没有可加工的材料。`,
+    startLevelWithEnd: (d, w) => `起点位于${d.axis} ${w.size(d.value)}，与轮廓终点相同：两者之间没有可加工的材料。`,
     diameterNegative: (d, w) => `${w.value(d.value)}位于轴线另一侧，此处不计算轮廓。${nearest(d.nearest, w.value)}`,
-    elementTooLong: (d, w) => `${w.number(d.size)}大于该元素的长度，最大${w.number(d.max)}。${nearest(d.nearest, w.number)}`,
-    cornersTooWide: (d, w) => `两个半径${w.number(d.radius)}的圆角宽于槽底，最大${w.number(d.max)}。${nearest(d.nearest, w.number)}`,
+    elementTooLong: (d, w) => `${w.size(d.size)}大于该元素的长度，最大${w.size(d.max)}。${nearest(d.nearest, w.size)}`,
+    cornersTooWide: (d, w) => `两个半径${w.size(d.radius)}的圆角宽于槽底，最大${w.size(d.max)}。${nearest(d.nearest, w.size)}`,
     wallsMeet: (d, w) => `角度为${w.angle(d.angle)}时两侧壁在槽底上方相交，最大${w.angle(d.max)}。${nearest(d.nearest, w.angle)}`,
     cornerSmallerThanInsert: (d, w) =>
-      `角半径${w.number(d.radius)}小于刀尖半径${w.number(d.insert)}：该角将保留${w.number(d.insert)}。${nearest(d.nearest, w.number)}`,
-    recessNarrowerThanTool: (d, w) => `槽底宽${w.number(d.width)}，刀具和余量需要${w.number(d.tool)}。${nearest(d.nearest, w.value)}`,
+      `角半径${w.size(d.radius)}小于刀尖半径${w.size(d.insert)}：该角将保留${w.size(d.insert)}。${nearest(d.nearest, w.size)}`,
+    recessNarrowerThanTool: (d, w) => `槽底宽${w.size(d.width)}，刀具和余量需要${w.size(d.tool)}。${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "" : `元素${d.element}：`}刀具无法跟随${w.angle(d.angle)}：${reasons[d.edge]}允许${
         w.angle(d.max)
       }，会残留材料。${nearest(d.nearest, w.angle)}`,
-    tooManyPasses: (d, w) => `${d.passes} 次走刀超过 ${d.most} 次。${nearest(d.nearest, w.number)}`,
-    infeedOverCutLength: (d, w) =>
-      `进刀量${w.number(d.infeed)}大于CUTLENGTH ${w.number(d.cutLength)}：自动减小为${w.number(d.cutLength)}。`,
+    tooManyPasses: (d, w) => `${d.passes} 次走刀超过 ${d.most} 次。${nearest(d.nearest, w.size)}`,
+    infeedOverCutLength: (d, w) => `进刀量${w.size(d.infeed)}大于CUTLENGTH ${w.size(d.cutLength)}：自动减小为${w.size(d.cutLength)}。`,
     depthOverCutLength: (d, w) =>
-      `深度${w.number(d.depth)}大于CUTLENGTH ${w.number(d.cutLength)}：其余材料残留。${nearest(d.nearest, w.value)}`,
-    offsetReduced: (d, w) => `偏移${w.number(d.offset)}减小为${w.number(d.kept)}：${d.passes}刀共用有效宽度的80%。`,
+      `深度${w.size(d.depth)}大于CUTLENGTH ${w.size(d.cutLength)}：其余材料残留。${nearest(d.nearest, w.value)}`,
+    offsetReduced: (d, w) => `偏移${w.size(d.offset)}减小为${w.size(d.kept)}：${d.passes}刀共用有效宽度的80%。`,
     offsetOverLimit: (d, w) =>
-      `${d.passes}刀的侧向偏移共${w.number(d.offset)}；有效宽度的80%为${w.number(d.max)}。${nearest(d.nearest, w.number)}`,
+      `${d.passes}刀的侧向偏移共${w.size(d.offset)}；有效宽度的80%为${w.size(d.max)}。${nearest(d.nearest, w.size)}`,
     toolUnfit: (d) =>
       `${d.type} 刀具、刀尖方位 ${d.orientation} 不能完成此加工。可用：${d.types.join(" 或 ")}，刀尖方位 ${d.orientations.join("、")}。`,
     toolCannotCutSideways: (d) => `${d.type}刀具只能切入，本循环还需横向切削。请使用RECTURN刀具。`,
@@ -73,13 +72,13 @@ export const messages = {
     betterTool: (d) => `刀具${d.tool} ${d.name}可以加工该轮廓。`,
     startInArea: (d, w) => `起点${w.place(d.x, d.z)}在加工区内：刀具先移至安全高度。`,
     startInMaterial: (d, w) => `起点${w.place(d.x, d.z)}在材料中。`,
-    startBelowContour: (d, w) => `起点比轮廓起点低 ${w.number(d.below)} mm：刀具先移到轮廓起点的高度。`,
+    startBelowContour: (d, w) => `起点比轮廓起点低 ${w.length(d.below)}：刀具先移到轮廓起点的高度。`,
     startInPart: (d, w) => `起点位于成品工件内：从那里不会切削。可用的起点：${w.place(d.x, d.z)}。`,
     insertAcrossAxis: (d, w) =>
-      `刀片越过轴线 ${w.number(d.reach)} mm，会在另一侧切入成品工件。`
+      `刀片越过轴线 ${w.length(d.reach)}，会在另一侧切入成品工件。`
       + (d.nearest === undefined ? "对这个孔来说刀片太长。" : `起点从 X${w.diameter(d.nearest)} 起即可避开。`),
     startOnWrongSide: (d, w) => `轮廓朝起点方向走：从这一侧不会切削。可用的起点：${w.place(d.x, d.z)}。`,
-    startInsideEnvelope: (d, w) => `起点距轮廓小于安全高度${w.number(d.clearance)}：刀具以精加工进给直接移至轮廓。`,
+    startInsideEnvelope: (d, w) => `起点距轮廓小于安全高度${w.size(d.clearance)}：刀具以精加工进给直接移至轮廓。`,
     limitOnWrongSide: (d, w) => `极限为${w.value(d.limit)}时，刀具所在一侧没有可加工的材料。${nearest(d.nearest, w.value)}`,
     cutBehindLimit: (d, w) =>
       `极限之外，${w.place(d.x, d.z)}处切除了${w.area(d.area)}材料：极限只限制轮廓，不限制接近与离开运动。`
@@ -92,10 +91,10 @@ export const messages = {
     contourPoint: (d) => `元素${d.element}：终点缺失或无法到达。`,
     cornerElementAlone: (d) => `元素${d.element}：倒角或倒圆前后都需要有元素，倒角需要两条直线。`,
     cornerElementTooLong: (d, w) =>
-      `元素${d.element}：${w.number(d.size)}在相邻元素之间放不下，最大${w.number(d.max)}。${nearest(d.nearest, w.number)}`,
+      `元素${d.element}：${w.size(d.size)}在相邻元素之间放不下，最大${w.size(d.max)}。${nearest(d.nearest, w.size)}`,
     arcOffCircle: (d, w) =>
-      `元素${d.element}：终点偏离圆${w.number(d.gap)}。${d.nearest === undefined ? "" : `可用半径：${w.number(d.nearest)}。`}`,
-    arcTooSmall: (d, w) => `元素${d.element}：半径${w.number(d.radius)}对该终点过小。${nearest(d.nearest, w.number)}`,
+      `元素${d.element}：终点偏离圆${w.size(d.gap)}。${d.nearest === undefined ? "" : `可用半径：${w.size(d.nearest)}。`}`,
+    arcTooSmall: (d, w) => `元素${d.element}：半径${w.size(d.radius)}对该终点过小。${nearest(d.nearest, w.size)}`,
     elementFree: (d) => `元素${d.element}：还需要${d.freedom}个数值。`,
     elementContradicts: (
       d,
@@ -106,19 +105,18 @@ export const messages = {
     elementUnreachable: (d) => `元素${d.element}：按此长度、半径或角度无法到达相邻元素。`,
     centreMissing: (d) => `元素${d.element}：缺少圆心，请在其前面加入CC。`,
     contourCrossesItself: (d) => `元素${d.element}与元素${d.other}相交。`,
-    toolRadiusTooLarge: (d, w) => `第 ${d.element} 个元素：刀具半径 ${w.number(d.radius)} 过大。${nearest(d.nearest, w.number)}`,
+    toolRadiusTooLarge: (d, w) => `第 ${d.element} 个元素：刀具半径 ${w.size(d.radius)} 过大。${nearest(d.nearest, w.size)}`,
     approachNeedsSide: () => "CT 需要 RL 或 RR：编程 R0 时数控系统在此停止。",
     approachSideAssumed: () => "R0 没有指明侧面：这里假定刀具从轮廓左侧接近。请在数控系统上核实。",
-    approachInsideCircle: (d, w) =>
-      `${d.point} 位于 R ${w.number(d.radius)} 的圆内：从该点没有直线与圆相切。${nearest(d.nearest, w.number)}`,
+    approachInsideCircle: (d, w) => `${d.point} 位于 R ${w.size(d.radius)} 的圆内：从该点没有直线与圆相切。${nearest(d.nearest, w.size)}`,
     approachCutsContour: (d, w) =>
-      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.number(d.depth)} mm；数控系统不检查此处。可用的 ${d.point}：`
+      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.length(d.depth)}；数控系统不检查此处。可用的 ${d.point}：`
       + `${w.spot(d.freeX, d.freeY, d.freeZ)}。`,
     approachValueCutsContour: (d, w) =>
-      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.number(d.depth)} mm；数控系统不检查此处。可用值：${d.word} `
-      + `${w.number(d.nearest)}。`,
+      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.length(d.depth)}；数控系统不检查此处。可用值：${d.word} `
+      + `${w.size(d.nearest)}。`,
     approachBlocked: (d, w) =>
-      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.number(d.depth)} mm；数控系统不检查此处。`,
+      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.length(d.depth)}；数控系统不检查此处。`,
     undercutNeighbours: (d) => `元素${d.element}：退刀槽需要相接的圆柱面和端面，凹槽需要与其方向一致的直线元素。`,
     recessWord: (d) => `元素${d.element}：${d.word}缺失，或无法构成形状。`,
     undercutDefaults: (d) => `元素${d.element}：${d.words}按记忆取自标准，建议写明。`,
@@ -129,7 +127,7 @@ export const messages = {
     contactsUnlooked: (d) => `已有${d.limit}个运动伤及工件、快移进入材料或以刀杆触碰材料：从此处起不再检查。`,
     deeperThanInfeed: (d, w) =>
       "" + (d.pass === undefined ? "一次平滑或精加工" : `第${w.number(d.pass)}刀`)
-      + `一次切除${w.number(d.depth)} mm材料，允许值为${w.number(d.allowed)} mm。`,
+      + `一次切除${w.length(d.depth)}材料，允许值为${w.length(d.allowed)}。`,
     blankLacks: (d, w) => `${w.text(d.what)} 的轮廓缺少按程序仍在那里的${w.area(d.area)}材料。以该轮廓为准。`,
     blankGone: (d, w) => `${w.text(d.what)} 的轮廓中有${w.area(d.area)}已没有材料。已切除的不会恢复。`,
     nothingCut: () => "此次加工没有切除材料。",
@@ -191,7 +189,7 @@ export const messages = {
       ({
         outside: `轮廓达到 ${w.diameter(d.contour)}，毛坯只有 ${w.diameter(d.blank)}。建议：${w.diameter(d.nearest)}。`,
         bore: `毛坯内孔为 ${w.diameter(d.blank)}，轮廓止于 ${w.diameter(d.contour)}：没有切削。建议：${w.diameter(d.nearest)}。`,
-        length: `轮廓达到 Z${w.signed(d.contour)}，毛坯只到 Z${w.signed(d.blank)}。建议：${w.number(d.nearest)}。`,
+        length: `轮廓达到 Z${w.signed(d.contour)}，毛坯只到 Z${w.signed(d.blank)}。建议：${w.size(d.nearest)}。`,
         allowance: `轮廓从 Z${w.signed(d.contour)} 开始，毛坯从 Z${w.signed(d.blank)} 开始：空切。建议：${w.signed(d.nearest)}。`,
         thread: `螺纹为 ${w.diameter(d.contour)}，毛坯为 ${w.diameter(d.blank)}。建议：${w.diameter(d.nearest)}。`,
       })[d.place],
