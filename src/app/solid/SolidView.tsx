@@ -71,7 +71,7 @@ function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
     const eye = createEye(clock, () => reducedMotion(useSettings.getState())), show = createShow(stage, eye, clock, tell);
     const measure = () => {
       const { clientWidth: width, clientHeight: height } = element;
-      const buttons = element.querySelector<HTMLElement>(".solid-views");
+      const buttons = element.querySelector<HTMLElement>(".solid-foot");
       if (width > 0 && height > 0) show.setSize({ width, height }, buttons ? height - buttons.offsetTop : 0);
     };
     const sizes = new ResizeObserver(measure), deaf = listenToHands(element, eye);
@@ -156,7 +156,6 @@ function Tried({ work, run, lines: shown, state, clock, places, chosen, choose, 
       >
         <canvas ref={canvas} role="img" aria-label={t.picture(quarterCut, state)} />
         <p id={keys} className="unseen">{t.keys}</p>
-        <Notes told={told} milled={run.plane.length > 0} noBlank={work.blank.length === 0} t={t} />
         {seeing && (
           <>
             <svg className="solid-marks" aria-hidden="true">
@@ -166,15 +165,18 @@ function Tried({ work, run, lines: shown, state, clock, places, chosen, choose, 
             <PlaceButtons seeing={seeing} places={places} chosen={chosen} choose={choose} />
           </>
         )}
-        <div className="solid-views" role="group" aria-label={t.views}>
-          <button type="button" className="button" aria-label={t.quarter} title={t.quarter} aria-pressed={quarterCut}
-            onClick={() => changeSettings({ quarterCut: !quarterCut })}
-          >
-            {t.quarterShort}
-          </button>
-          {NAMED_VIEWS.map((view) => (
-            <button key={view} type="button" className="button" onClick={() => running?.eye.go(view)}>{t[view]}</button>
-          ))}
+        <div className="solid-foot">
+          <Notes told={told} milled={run.plane.length > 0} noBlank={work.blank.length === 0} t={t} />
+          <div className="solid-views" role="group" aria-label={t.views}>
+            <button type="button" className="button" aria-label={t.quarter} title={t.quarter} aria-pressed={quarterCut}
+              onClick={() => changeSettings({ quarterCut: !quarterCut })}
+            >
+              {t.quarterShort}
+            </button>
+            {NAMED_VIEWS.map((view) => (
+              <button key={view} type="button" className="button" onClick={() => running?.eye.go(view)}>{t[view]}</button>
+            ))}
+          </div>
         </div>
       </div>
       {trouble && (

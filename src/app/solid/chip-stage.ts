@@ -13,6 +13,8 @@ const EDGE = 3;
 export interface ChipStage {
   readonly group: Group;
   readonly set: (chip: Chip | null) => void;
+  /** How much of a side of the canvas is drawn: the edge is as much finer. */
+  readonly setShare: (share: number) => void;
   readonly setColours: (accent: string, surface: string) => void;
   readonly dispose: () => void;
 }
@@ -44,6 +46,9 @@ export function createChipStage(): ChipStage {
       const line = new LineSegments2(new LineSegmentsGeometry().setPositions(contact), edge);
       line.frustumCulled = false;
       group.add(line);
+    },
+    setShare(share) {
+      edge.linewidth = EDGE * share;
     },
     setColours(accent, surface) {
       edge.color.set(accent);

@@ -11,8 +11,8 @@ interface Gloss {
 /** As in the section: a finished surface is light and shines, a rough one is dull, and what came from the mill is duller. */
 const GLOSS: Readonly<Record<`${(typeof LOOKS)[number]}`, Gloss>> = {
   null: { ground: 0, shine: 1 },
-  raw: { ground: -0.26, shine: 0.1 },
-  rough: { ground: -0.1, shine: 0.5 },
+  raw: { ground: -0.34, shine: 0.1 },
+  rough: { ground: -0.08, shine: 0.5 },
   thread: { ground: 0, shine: 1 },
   finished: { ground: 0.3, shine: 2.4 },
 };

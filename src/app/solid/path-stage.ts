@@ -57,6 +57,8 @@ export interface PathStage {
   readonly setColours: (colours: LineColours) => void;
   /** What one pixel shows, mm. */
   readonly setPixel: (mm: number) => void;
+  /** How much of a side of the canvas is drawn: lines are as much finer. */
+  readonly setShare: (share: number) => void;
   readonly dispose: () => void;
 }
 
@@ -96,7 +98,7 @@ function sharing(geometry: LineSegmentsGeometry): LineSegmentsGeometry {
 export function createPathStage(): PathStage {
   const group = new Group();
   let drawn: readonly { readonly line: LineSegments2; readonly of: StageLines; readonly fades: boolean }[] = [];
-  let [colours, pixel, step]: [LineColours | null, number, number] = [null, 1, 0];
+  let [colours, pixel, step, share]: [LineColours | null, number, number, number] = [null, 1, 0, 1];
 
   const clear = () => {
     for (const { line } of drawn) {
@@ -128,6 +130,7 @@ export function createPathStage(): PathStage {
     for (const { line: { material, geometry }, of, fades } of drawn) {
       if (colours) material.color.set(colourOf(of.look, colours));
       material.dashScale = 1 / pixel;
+      material.linewidth = formOf(of.look).wide * share;
       if (fades) geometry.instanceCount = piecesFrom(of, step);
     }
   };
@@ -155,6 +158,10 @@ export function createPathStage(): PathStage {
     setPixel(mm) {
       pixel = mm;
       for (const { line } of drawn) line.material.dashScale = 1 / pixel;
+    },
+    setShare(next) {
+      share = next;
+      look();
     },
     dispose: clear,
   };

@@ -18,6 +18,7 @@ import { stopwatch, type Clock } from "../clock.ts";
 import { stepIndex, type Moving, type Waiting } from "../lathe/moving.ts";
 import type { Eye } from "./eye.ts";
 import type { StageLines } from "./path-stage.ts";
+import { createSharpness } from "./sharpness.ts";
 import type { SolidStage } from "./stage.ts";
 
 /** What is to be seen. */
@@ -59,12 +60,6 @@ const QUICK = 64;
 const PAUSE = 3;
 /** Most pixels that are drawn, and the finest ratio of them to those of the page. */
 const PIXELS = { most: 2_600_000, ratio: 2 } as const;
-/**
- * Pictures that come later than this after they were asked for, ms, are drawn with fewer pixels while something moves: after so many, of
- * which a very late one counts as a few; then how many fewer, and the fewest. After so many that come soon there are more again.
- */
-const SLOW = { ms: 40, pictures: 6, few: 3, by: 0.7, least: 0.4 } as const;
-const SOON = { ms: 24, pictures: 90 } as const;
 /** After so long without a picture, or after so many times what the last one took, everything is drawn sharp. */
 const REST = { ms: 160, times: 3 } as const;
 
@@ -86,7 +81,8 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
   let [builtAt, cost] = [-Infinity, 0];
   let canvas: { readonly size: Size; readonly below: number } = { size: eye.size(), below: 0 };
   let [asked, changed]: [(() => void) | null, boolean] = [null, true];
-  let [coarse, learned, slow, soon] = [1, 1, 0, 0];
+  let [coarse, learned] = [1, 1];
+  const sharpness = createSharpness();
   let [askedAt, lastPicture] = [0, 0];
   let resting: ReturnType<typeof setTimeout> | undefined;
   let told = NOTHING_TOLD;
@@ -95,7 +91,6 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
   const playing = () => work?.moving?.playback.get().playing ?? false;
   const sharpRatio = ({ width, height }: Size) =>
     Math.min(devicePixelRatio, PIXELS.ratio, Math.sqrt(PIXELS.most / Math.max(1, width * height)));
-  const applySize = () => stage.setSize(canvas.size, canvas.below, sharpRatio(canvas.size) * coarse);
 
   /** Where X grows downwards the picture is a mirror image, in which a right-handed thread is made left-handed. */
   const threading = (chords: number): ThreadTurning => ({
@@ -143,17 +138,14 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
   function setCoarse(share: number): void {
     if (share === coarse) return;
     coarse = share;
-    applySize();
+    stage.setShare(share);
   }
 
   /** Fewer pixels where pictures come too slowly after they were asked for; returns how long this one took. */
   function mind(now: number): number {
     const took = now - Math.max(lastPicture, askedAt), goesOn = playing() || askedAt - lastPicture < REST.ms;
     lastPicture = now;
-    slow = took > SLOW.ms ? slow + Math.min(SLOW.few, Math.floor(took / SLOW.ms)) : 0;
-    soon = took < SOON.ms ? soon + 1 : 0;
-    if (slow >= SLOW.pictures) [learned, slow] = [Math.max(SLOW.least, learned * SLOW.by), 0];
-    if (soon >= SOON.pictures) [learned, soon] = [Math.min(1, learned / SLOW.by), 0];
+    if (goesOn) learned = sharpness.took(took);
     if (goesOn) setCoarse(learned);
     return took;
   }
@@ -231,7 +223,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
     setSize(size, below) {
       canvas = { size, below };
       eye.setSize({ width: size.width, height: Math.max(1, size.height - below) });
-      applySize();
+      stage.setSize(canvas.size, canvas.below, sharpRatio(canvas.size));
       // A canvas that changes its size is empty: it is drawn before anybody sees that.
       asked?.();
       picture();

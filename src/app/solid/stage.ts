@@ -32,6 +32,11 @@ export const STAGE_COLOURS = {
 export interface SolidStage {
   /** The canvas, and how much of it lies below the picture, pixels of the page. */
   readonly setSize: (size: Size, below: number, ratio: number) => void;
+  /**
+   * How much of it is drawn along each side, 0 … 1; that is shown larger. A canvas of another size would be another buffer on the graphics
+   * card, and the page would wait for it.
+   */
+  readonly setShare: (share: number) => void;
   readonly setColours: (colours: Readonly<Record<keyof typeof STAGE_COLOURS, string>>) => void;
   readonly setBodies: (bodies: readonly MomentBody[]) => void;
   readonly setChuck: (parts: readonly DrawnPart[]) => void;
@@ -108,14 +113,19 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
   const sections = { steel: hatched(-1, 1), residual: hatched(1, 2), gouge: hatched(-1, 1) };
   const lines = { work: drawnLine(0.55), parts: drawnLine(0.4) };
 
+  /** All of it is looked at: to ask whether it is in sight takes a walk over all its corners. */
+  const put = (group: Group, body: Triangles | LineSegments) => {
+    body.frustumCulled = false;
+    group.add(body);
+  };
   const add = (group: Group, mesh: Mesh, material: Material) => {
-    if (mesh.index.length > 0) group.add(new Triangles(geometryOf(mesh), material));
+    if (mesh.index.length > 0) put(group, new Triangles(geometryOf(mesh), material));
   };
   const addLines = (group: Group, edges: Float32Array, material: Material) => {
     if (edges.length === 0) return;
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(edges, 3));
-    group.add(new LineSegments(geometry, material));
+    put(group, new LineSegments(geometry, material));
   };
   const setParts = (group: Group, parts: readonly DrawnPart[]) => {
     clear(group);
@@ -125,13 +135,29 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
     }
   };
 
+  let [canvasSize, share]: [Size, number] = [{ width: 1, height: 1 }, 1];
+  const drawShare = () => {
+    const { width, height } = canvasSize;
+    renderer.setViewport(0, 0, width * share, height * share);
+    renderer.setScissor(0, 0, width * share, height * share);
+    renderer.setScissorTest(share < 1);
+    canvas.style.transform = share < 1 ? `scale(${1 / share})` : "";
+    for (const each of [path, chip]) each.setShare(share);
+  };
+
   return {
+    setShare(next) {
+      share = next;
+      drawShare();
+    },
     setSize({ width, height }, below, ratio) {
+      canvasSize = { width, height };
       renderer.setPixelRatio(ratio);
       renderer.setSize(width, height, false);
       const seen = Math.max(1, height - below);
       camera.aspect = width / seen;
       camera.setViewOffset(width, seen, 0, 0, width, height);
+      drawShare();
     },
     setColours(c) {
       steel.colours({ steel: c.material, dark: c.steelDark, light: c.steelLight, line: c.line });
