@@ -9,8 +9,8 @@ import { useLengths } from "./lengths.ts";
 import { useTexts } from "./settings/use-texts.ts";
 
 /**
- * The sentence of a finding in a screen language, with lengths as the program counts where that is said; `cycle` tells what the value at its
- * place measures.
+ * The sentence of a finding in a screen language, with lengths as the program counts where that is said. `cycle` tells what the value
+ * at its place measures.
  */
 export function issueText(texts: Texts, spoken: Spoken, found: AnyIssue, cycle: number | null): string {
   const at = "at" in found ? found.at : undefined;
