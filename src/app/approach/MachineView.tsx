@@ -5,12 +5,14 @@ import { useFindings } from "../findings/use-findings.ts";
 import { LatheView } from "../lathe/LatheView.tsx";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { lazyPart } from "../parts.ts";
+import { fetchAtRest } from "../rest.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { followProgramSides, showSide, showsPlane, switchSide, useAskedView } from "./shown-view.ts";
 import "./approach.css";
 
+const fetchPlane = async () => ({ default: (await import("./PlaneView.tsx")).PlaneView });
 /** Fetched for a program that mills. */
-const PlaneView = lazyPart(async () => ({ default: (await import("./PlaneView.tsx")).PlaneView }));
+const PlaneView = lazyPart(fetchPlane);
 
 /** The picture goes along with what is chosen in the list of findings, and with what is played. */
 function useSides(run: Run | null, playback: PlaybackStore): void {
@@ -31,6 +33,8 @@ export function MachineView(props: ComponentProps<typeof LatheView>) {
   useSides(run ?? null, playback);
   const plane = result !== null && showsPlane(result.run, asked);
   const both = run !== undefined && run.plane.length > 0 && run.steps.length > 0;
+  // Playing goes over to it without a word: what is milled would be over before it is here.
+  useEffect(() => (both ? fetchAtRest(fetchPlane) : undefined), [both]);
   return (
     <div className="machine-view">
       {both && (
