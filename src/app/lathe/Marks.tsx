@@ -1,5 +1,6 @@
+import { useMemo } from "react";
 import type { Pt } from "../../kernel/point.ts";
-import { toScreen, type Place } from "../../view/camera.ts";
+import { toScreen, type Camera, type Place } from "../../view/camera.ts";
 import { WORKPIECE_ZERO } from "../../view/datum.ts";
 import { useCamera } from "./use-camera.ts";
 import type { Viewport } from "./viewport.ts";
@@ -12,6 +13,25 @@ export function ZeroMark({ at }: { readonly at: Place }) {
       <path className="quarters" d="M0 0V-7A7 7 0 0 1 7 0ZM0 0V7A7 7 0 0 1 -7 0Z" />
       <circle className="edge" r="7" />
       <path className="edge" d="M-11 0H11M0 -11V11" />
+    </g>
+  );
+}
+
+const tenths = (pixels: number) => Math.round(10 * pixels) / 10;
+
+/** A cross in a ring, pixels. */
+const startAt = ({ x, y }: Place): string => `M${x - 6} ${y}a6 6 0 1 1 12 0a6 6 0 1 1 -12 0M${x - 10} ${y}h20M${x} ${y - 10}v20`;
+
+/** All start points as one path, counted from the zero point: while the picture is only moved it stays the same. */
+function Starts({ camera, starts }: { readonly camera: Camera; readonly starts: readonly Pt[] }) {
+  const { scale, xUp, zero } = camera;
+  const lines = useMemo(() => {
+    const places = starts.map((start) => toScreen({ scale, xUp, zero: { x: 0, y: 0 } }, start));
+    return [...new Set(places.map(({ x, y }) => startAt({ x: tenths(x), y: tenths(y) })))].join("");
+  }, [scale, xUp, starts]);
+  return (
+    <g className={starts.length > 1 ? "lathe-start of-many" : "lathe-start"} transform={`translate(${zero.x} ${zero.y})`}>
+      <path d={lines} />
     </g>
   );
 }
@@ -30,15 +50,7 @@ export function Marks({ viewport, starts, datum }: { readonly viewport: Viewport
         </g>
       )}
       <ZeroMark at={zero} />
-      {starts.map((start, i) => {
-        const at = toScreen(camera, start);
-        return (
-          <g key={i} className={starts.length > 1 ? "lathe-start of-many" : "lathe-start"} transform={`translate(${at.x} ${at.y})`}>
-            <circle r="6" />
-            <path d="M-10 0H10M0 -10V10" />
-          </g>
-        );
-      })}
+      <Starts camera={camera} starts={starts} />
     </g>
   );
 }
