@@ -117,8 +117,24 @@ interface Blocks {
 /** Of lists of so many each. */
 const counted = (count: number, power: number) => Math.ceil(count / 2 ** power);
 
+/** What is known of tools and of arcs, for one run after the other. */
+interface Shapes {
+  readonly outlines: WeakMap<Tool, ConvexPiece>;
+  readonly ways: WeakMap<Step, Ways | null>;
+}
+
+/** The way of a step; that of an arc is worked out once. */
+function knownWay(step: Step, { ways }: Shapes): Ways | null {
+  if (step.move.kind !== "arc") return wayOf(step);
+  const known = ways.get(step);
+  if (known !== undefined) return known;
+  const made = wayOf(step);
+  ways.set(step, made);
+  return made;
+}
+
 /** `before`: another run, whose blocks are those of this one where they have the very same steps. */
-function blocksOf(steps: readonly Step[], before: Blocks | null): Blocks {
+function blocksOf(steps: readonly Step[], shapes: Shapes, before: Blocks | null): Blocks {
   const isSame = (from: number, to: number): boolean => {
     if (!before || to > before.steps.length) return false;
     for (let i = from; i < to; i += 1) if (steps[i] !== before.steps[i]) return false;
@@ -126,7 +142,7 @@ function blocksOf(steps: readonly Step[], before: Blocks | null): Blocks {
   };
   const blocks = Array.from({ length: counted(steps.length, BLOCK) }, (_, i) => {
     const from = i << BLOCK, to = Math.min(steps.length, from + (1 << BLOCK));
-    return isSame(from, to) ? before?.blocks[i] ?? null : around(steps.slice(from, to).map(wayOf));
+    return isSame(from, to) ? before?.blocks[i] ?? null : around(steps.slice(from, to).map((step) => knownWay(step, shapes)));
   });
   const each = GROUP - BLOCK;
   const groups = Array.from({ length: counted(blocks.length, each) }, (_, i) => around(blocks.slice(i << each, (i + 1) << each)));
@@ -134,9 +150,10 @@ function blocksOf(steps: readonly Step[], before: Blocks | null): Blocks {
 }
 
 /** Prepares the moves of a run to be asked which of them touches a place. */
-export const touchIndex = (steps: readonly Step[]): TouchIndex => indexOf(steps, null, new WeakMap());
+export const touchIndex = (steps: readonly Step[]): TouchIndex => indexOf(steps, null, { outlines: new WeakMap(), ways: new WeakMap() });
 
-function indexOf(steps: readonly Step[], before: Blocks | null, outlines: WeakMap<Tool, ConvexPiece>): TouchIndex {
+function indexOf(steps: readonly Step[], before: Blocks | null, shapes: Shapes): TouchIndex {
+  const { outlines } = shapes;
   const outlineOf = (tool: Tool): ConvexPiece => {
     const made = outlines.get(tool) ?? convexPieceOf(insertOutline(tool, CHORD));
     outlines.set(tool, made);
@@ -169,14 +186,14 @@ function indexOf(steps: readonly Step[], before: Blocks | null, outlines: WeakMa
   function mayCut(step: Step, z: number, r: number): boolean {
     if (!cuts(step)) return false;
     const { from, move, tool } = step;
-    if (move.kind !== "feed") return mayBeAt(wayOf(step), z, r);
+    if (move.kind !== "feed") return mayBeAt(knownWay(step, shapes), z, r);
     const outline = outlineOf(tool), low = Math.min(from.r, move.to.r) + outline.box.low;
     return mayTouchAlong(outline, from, move.to, z, r) || (low < SAME && mayTouchAlong(outline, from, move.to, z, -r));
   }
 
   return {
     latest(z, r, now, after) {
-      const { blocks, groups } = made ??= blocksOf(steps, before);
+      const { blocks, groups } = made ??= blocksOf(steps, shapes, before);
       let i = Math.min(steps.length - 1, now.fraction > 0 ? now.step : now.step - 1), block = -1, group = -1;
       for (; i > after; i -= 1) {
         if (group !== i >> GROUP) {
@@ -192,6 +209,6 @@ function indexOf(steps: readonly Step[], before: Blocks | null, outlines: WeakMa
       }
       return -1;
     },
-    of: (next) => indexOf(next, made ?? before, outlines),
+    of: (next) => indexOf(next, made ?? before, shapes),
   };
 }
