@@ -37,7 +37,7 @@ export function PromptDialog({ session, name, listName, done, hint, head, instea
         <>
           {open ? <OpenPrompt session={session} prompt={open} ownKeypad={fingers} input={input} /> : done}
           {fingers && open && <Keypad session={session} prompt={open} input={input} />}
-          <div className="below-prompt">
+          <div className={`below-prompt${session.fields.length === 0 ? " no-prompts" : ""}`}>
             {dock ? createPortal(session.picture, dock) : session.picture}
             <div className="prompt-list-box" onKeyDown={(event) => onPromptKey(event, session)}>
               <PromptList session={session} name={listName} />

@@ -22,7 +22,10 @@ const Lines = ({ shapes, className }: { readonly shapes: readonly Shape[]; reado
   <g className={className}>{shapes.map(({ role, d }) => <path key={role} className={`shape-ghost shape-ghost-${role}`} d={d} />)}</g>
 );
 
-/** The path before the last change: it fades in two seconds, or without motion stays as long and goes at once. */
+/**
+ * The path before the last change: it fades in two seconds, or without motion stays as long and goes at once. The browser fades it by
+ * itself, so that the next key has the page for itself; only held time is followed picture by picture.
+ */
 function Former({ scene, clock }: { readonly scene: Scene; readonly clock: Clock }) {
   const motion = useSettings((s) => s.motion);
   const [last, keep] = useState(scene);
@@ -35,11 +38,17 @@ function Former({ scene, clock }: { readonly scene: Scene; readonly clock: Clock
   }
   useEffect(() => {
     if (!former) return undefined;
-    const begun = clock.now(), still = reducedMotion({ motion });
+    const gone = () => show(null), still = reducedMotion({ motion });
+    if (clock.flows && lines.current?.animate) {
+      const fading = lines.current.animate({ opacity: still ? [1, 1] : [1, 0] }, STAYS);
+      fading.onfinish = gone;
+      return () => fading.cancel();
+    }
+    const begun = clock.now();
     let stop: (() => void) | null = null;
     const picture = (now: number) => {
       const left = 1 - (now - begun) / STAYS;
-      if (left <= 0) return show(null);
+      if (left <= 0) return gone();
       if (!still && lines.current) lines.current.style.opacity = String(left);
       stop = clock.frame(picture);
     };

@@ -184,7 +184,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const gouges = told?.missing ?? simulation?.findings.flatMap(({ rings }) => rings) ?? NO_RINGS;
   return (
     <CountedIn value={run.program.unit}>
-      <section className="lathe" data-tools={tools} aria-label={t.title} onKeyDown={(event) => {
+      <section className="lathe" data-tools={tools} data-body={alone !== null} aria-label={t.title} onKeyDown={(event) => {
         const target = event.target as HTMLElement;
         if (event.ctrlKey || event.metaKey || event.altKey) return;
         const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
