@@ -41,6 +41,8 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
   const named = () => namedView(name, bounds, size, flat);
   let orbit = named();
   let stop: (() => void) | null = null;
+  /** Where a movement that is under way ends. */
+  let goal: Orbit | null = null;
   const listeners = new Set<() => void>();
   const set = (next: Orbit) => {
     orbit = next;
@@ -48,21 +50,25 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
   };
   const end = () => {
     stop?.();
-    stop = null;
+    stop = goal = null;
   };
-  const look = (next: Orbit) => {
+  /** What a hand does goes on from where a movement would have ended: who asks for a view and turns it gets both. */
+  const look = (change: (from: Orbit) => Orbit) => {
+    const from = goal ?? orbit;
     end();
     byHand = true;
-    set(next);
+    set(change(from));
   };
   const flyTo = (to: Orbit, hand: boolean) => {
     end();
     byHand = hand;
     const from = orbit, begun = clock.now();
     if (still()) return set(to);
+    goal = to;
     const picture = (now: number) => {
       const share = (now - begun) / WAY;
       stop = share < 1 ? clock.frame(picture) : null;
+      if (!stop) goal = null;
       set(viewBetween(from, to, share));
     };
     stop = clock.frame(picture);
@@ -80,15 +86,15 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
       listeners.add(listener);
       return () => listeners.delete(listener);
     },
-    turn: (turn, rise) => look(orbited(orbit, turn, rise)),
-    slide: (dx, dy) => look(slid(orbit, dx, dy, size)),
-    zoom: (factor) => look(approached(orbit, factor)),
+    turn: (turn, rise) => look((from) => orbited(from, turn, rise)),
+    slide: (dx, dy) => look((from) => slid(from, dx, dy, size)),
+    zoom: (factor) => look((from) => approached(from, factor)),
     go(view) {
       name = view;
       fly();
     },
     fit: fly,
-    show: (near, down) => flyTo(nearTo(orbit, near, down), true),
+    show: (near, down) => flyTo(nearTo(goal ?? orbit, near, down), true),
     setSize(next) {
       if (next.width === size.width && next.height === size.height) return;
       size = next;
