@@ -6,7 +6,6 @@ import { GRID, SAME } from "../../kernel/tolerance.ts";
 import { ROUGH_RZ, rzByRule } from "../../sim/load/cusp.ts";
 import { feedPerTurn, rpmAt } from "../../sim/load/spindles.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
-import { sameSteps } from "../../sim/same-step.ts";
 import { touchIndex, type TouchIndex } from "../../sim/touch-index.ts";
 
 /** How a stretch of a boundary looks: as it came, rough, finished, or a flank of a thread. */
@@ -118,6 +117,9 @@ export const surfacesOf = (
   isBackwards: (step: number) => boolean = () => false,
 ): Surfaces => surfacesBy(touchIndex(steps), steps, spindleOf, isBackwards);
 
+/** Steps of calls that stay the same are the very same; between them there are rapids, which make no surface. */
+const isAlike = (a: Step, b: Step | undefined): boolean => a === b || (a.move.kind === "rapid" && b?.move.kind === "rapid");
+
 /** What was told of the sides of a run. */
 interface Former {
   readonly steps: readonly Step[];
@@ -137,7 +139,7 @@ function surfacesBy(
 
   /** A side that was made by steps that both runs begin with is told by them, until a later step touches it. */
   function remember({ steps: others, sides }: Former): void {
-    const alike = sameSteps(), last = steps.findIndex((step, i) => !others[i] || !alike(step, others[i])) - 1;
+    const last = steps.findIndex((step, i) => !isAlike(step, others[i])) - 1;
     const common = last < -1 ? steps.length - 1 : last;
     for (const side of sides) {
       const isTrue = side.newest <= common && side.stretches.every(({ made: { step, pitch, texture, hand } }) => {
