@@ -14,6 +14,8 @@ export const MEDIA = {
   portrait: "(599px < width <= 1279px) and (orientation: portrait)",
   /** The picture beside the prompts: a tablet that lies, or a small window. */
   landscape: LYING,
+  /** A phone that lies: the height of a few rows. */
+  flat: `${LYING} and (max-height: 499px)`,
   /** No room for three columns. */
   narrow: "(max-width: 1279px)",
   /** Three columns: the program or the text stands beside the view. */
