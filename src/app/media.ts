@@ -27,7 +27,7 @@ export const MEDIA = {
   /** A second pane beside the view: large screens and projectors of their size. */
   vast: VAST,
   /** The help picture lies in the pane of the view, not among the prompts. */
-  docked: `(${LYING}) or ${VAST}`,
+  docked: `(${LYING} and (min-height: 500px)) or ${VAST}`,
   /** A notebook: little height. */
   low: "(max-height: 899px)",
   /** The main pointer is a finger. */
