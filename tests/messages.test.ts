@@ -146,6 +146,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   arcImpossible: {},
   radiusCompensation: { side: "RL" },
   toolRadiusTooLarge: { element: 3, radius: 10.5, nearest: 4.25 },
+  pathCutsContour: { element: 2, other: 5, depth: 1.25, x: 60.5, y: 5.5, nearest: 4.25 },
   approachNeedsSide: {},
   approachSideAssumed: {},
   approachInsideCircle: { point: "PS", radius: 10.5, nearest: 4.25 },

@@ -115,7 +115,10 @@ interface Data {
   /** Words that the standard gave because the block has none. */
   undercutDefaults: { element: number; words: string };
   /* working plane: compensation, approach and departure. Of a place, milling has x and y; turning x (⌀) and z */
-  toolRadiusTooLarge: { element: number; radius: number; nearest?: number };
+  /** In milling with the middle of the element. */
+  toolRadiusTooLarge: { element: number; radius: number; nearest?: number; x?: number; y?: number };
+  /** Milling one element cuts another that is not its neighbour. */
+  pathCutsContour: { element: number; other: number; depth: number; x: number; y: number; nearest?: number };
   approachNeedsSide: {};
   approachSideAssumed: {};
   approachInsideCircle: { point: "PS" | "PN"; radius: number; nearest?: number };

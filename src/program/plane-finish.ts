@@ -10,6 +10,7 @@ import { NO_TRANSFORM } from "./coordinates-frame.ts";
 import { programIssue } from "./issue.ts";
 import type { Carrier } from "./carrier.ts";
 import type { ApproachCall, CompensatedChain, Travel } from "./plane-chain.ts";
+import { sayPathCut } from "./plane-waist.ts";
 import { frameOf } from "./transform-blocks.ts";
 
 const { apart, beyond, difference, direction, sum } = plane;
@@ -183,8 +184,11 @@ function along(f: Finishing, contour: PlaneContour): void {
 
 function sayIssues(carrier: Carrier, chain: CompensatedChain, contour: PlaneContour): void {
   for (const { issue: found, element, onCorner } of contour.issues) {
-    const item = chain.items[element];
-    if (item) carrier.machine.log.say(found, onCorner ? (item.corner?.index ?? item.index) : item.index);
+    const item = chain.items[element], own = contour.contour.find((c) => c.element === element && c.onCorner === onCorner);
+    const seen = found.code === "toolRadiusTooLarge" && own && carrier.plane === "XY"
+      ? { ...found, data: { ...found.data, ...plane.pointOn(own.segment, 1 / 2) } }
+      : found;
+    if (item) carrier.machine.log.say(seen, onCorner ? (item.corner?.index ?? item.index) : item.index);
   }
   const open = chain.items.at(-1)?.corner;
   if (open) carrier.machine.log.say(issue("cornerElementAlone", "error", { element: chain.items.length }, "contour"), open.index);
@@ -217,6 +221,7 @@ export function finishChain(
   const contour = planeContour(chain.items.map(({ segment, corner }) => ({ segment, ...(corner && { corner: corner.element }) })),
     chain.side, carrier.toolRadius);
   sayIssues(carrier, chain, contour);
+  sayPathCut(carrier, chain, contour);
   const single = ownDirection(chain, here);
   const first = contour.contour[0]?.segment ?? single;
   const last = contour.contour.at(-1)?.segment ?? single;

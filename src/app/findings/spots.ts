@@ -98,15 +98,22 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
   }
 }
 
-/** Where an approach or departure cuts its contour; null for findings without a place. */
+/** A place of the working plane; the moment is in the middle of the block, or behind the one before where that has no way of its own. */
+function spotInPlane({ plane }: Run, x: number, y: number, block: number | null): Unmarked {
+  const place = partPoint({ x, y }), own = plane.findIndex((s) => s.block === block);
+  const position = own < 0 ? { step: 1 + plane.findLastIndex((s) => s.block < (block ?? 0)), fraction: 0 } : { step: own, fraction: 0.5 };
+  return { plane: "XY", kind: "finding", place, bounds: roundPoint(place), position };
+}
+
+/** Where a tool of a mill, an approach or a departure cuts its contour; null for findings without a place. */
 export function spotOfRun(run: Run, { issue, block }: RunFinding): Unmarked | null {
+  if (issue.code === "toolRadiusTooLarge" || issue.code === "pathCutsContour") {
+    const { x, y } = issue.data;
+    return x === undefined || y === undefined ? null : spotInPlane(run, x, y, block);
+  }
   if (issue.code !== "approachCutsContour" && issue.code !== "approachValueCutsContour" && issue.code !== "approachBlocked") return null;
   const { x, y, z } = issue.data;
-  if (y !== undefined) {
-    const place = partPoint({ x, y });
-    const step = run.plane.findIndex((s) => s.block === block);
-    return { plane: "XY", kind: "finding", place, bounds: roundPoint(place), position: { step: Math.max(0, step), fraction: 0.5 } };
-  }
+  if (y !== undefined) return spotInPlane(run, x, y, block);
   if (z === undefined) return null;
   const place: Pt = { z: axial(z), r: toRadius(diameter(x)) };
   const lead = run.approaches.find((a) => a.block === block && a.plane === "ZX");

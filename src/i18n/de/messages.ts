@@ -148,20 +148,24 @@ export const messages = {
     contourCrossesItself: (d) => `Element ${d.element} kreuzt Element ${d.other}.`,
     toolRadiusTooLarge: (d, w) =>
       `Element ${d.element}: Ein Werkzeugradius von ${w.size(d.radius)} passt nicht.${nearest(d.nearest, w.size)}`,
+    pathCutsContour: (d, w) =>
+      `An Element ${d.element} schneidet das Werkzeug bei ${w.spot(d.x, d.y, undefined)} um ${
+        w.length(d.depth)
+      } in Element ${d.other} ein: Es passt` + ` nicht hindurch; die Steuerung vergleicht nur Nachbarn.${nearest(d.nearest, w.size)}`,
     approachNeedsSide: () => "CT braucht RL oder RR: Mit R0 hält die Steuerung hier an.",
     approachSideAssumed: () =>
       "R0 nennt keine Seite: Angenommen wird, dass das Werkzeug von links der Kontur kommt. An der Steuerung prüfen.",
     approachInsideCircle: (d, w) =>
       `${d.point} liegt im Kreis mit R ${w.size(d.radius)}: Keine Gerade von dort berührt ihn.${nearest(d.nearest, w.size)}`,
     approachCutsContour: (d, w) =>
-      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.size(d.depth)}`
-      + ` mm in sie ein; die Steuerung prüft das nicht. Frei ist ${d.point} ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
+      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.length(d.depth)}`
+      + ` in sie ein; die Steuerung prüft das nicht. Frei ist ${d.point} ${w.spot(d.freeX, d.freeY, d.freeZ)}.`,
     approachValueCutsContour: (d, w) =>
-      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.size(d.depth)}`
-      + ` mm in sie ein; die Steuerung prüft das nicht. Frei mit ${d.word} ${w.size(d.nearest)}.`,
+      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.length(d.depth)}`
+      + ` in sie ein; die Steuerung prüft das nicht. Frei mit ${d.word} ${w.size(d.nearest)}.`,
     approachBlocked: (d, w) =>
-      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.size(d.depth)}`
-      + " mm in sie ein; die Steuerung prüft das nicht.",
+      `Zwischen ${d.point} und der Kontur schneidet das Werkzeug bei ${w.spot(d.x, d.y, d.z)} um ${w.length(d.depth)}`
+      + " in sie ein; die Steuerung prüft das nicht.",
     undercutNeighbours: (d) =>
       `Element ${d.element}: Ein Freistich braucht einen achsparallelen Zylinder und eine Planfläche dazu, ein Einstich ein `
       + "gerades Element seiner Richtung.",

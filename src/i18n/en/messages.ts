@@ -138,6 +138,10 @@ export const messages = {
     centreMissing: (d) => `Element ${d.element}: its centre is missing; put CC before it.`,
     contourCrossesItself: (d) => `Element ${d.element} crosses element ${d.other}.`,
     toolRadiusTooLarge: (d, w) => `Element ${d.element}: a tool radius of ${w.size(d.radius)} does not fit.${nearest(d.nearest, w.size)}`,
+    pathCutsContour: (d, w) =>
+      `Along element ${d.element} the tool cuts ${w.length(d.depth)} into element ${d.other} at ${
+        w.spot(d.x, d.y, undefined)
+      }: it is too large to pass` + `; the control compares neighbours only.${nearest(d.nearest, w.size)}`,
     approachNeedsSide: () => "CT needs RL or RR: with R0 the control stops here.",
     approachSideAssumed: () => "R0 names no side: the tool is taken to come from the left of the contour. Verify on your control.",
     approachInsideCircle: (d, w) =>

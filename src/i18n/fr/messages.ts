@@ -143,6 +143,10 @@ export const messages = {
     contourCrossesItself: (d) => `L’élément ${d.element} croise l’élément ${d.other}.`,
     toolRadiusTooLarge: (d, w) =>
       `Élément ${d.element} : un rayon d’outil de ${w.size(d.radius)} ne passe pas.${nearest(d.nearest, w.size)}`,
+    pathCutsContour: (d, w) =>
+      `Le long de l’élément ${d.element}, l’outil entame l’élément ${d.other} de ${w.length(d.depth)} en ${
+        w.spot(d.x, d.y, undefined)
+      } : il ne passe ` + `pas ; la commande ne compare que les voisins.${nearest(d.nearest, w.size)}`,
     approachNeedsSide: () => "CT demande RL ou RR : avec R0, la commande s’arrête ici.",
     approachSideAssumed: () =>
       "R0 ne dit pas de quel côté : l’outil est supposé venir de la gauche du contour. À vérifier sur la commande.",

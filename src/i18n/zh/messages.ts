@@ -106,6 +106,9 @@ export const messages = {
     centreMissing: (d) => `元素${d.element}：缺少圆心，请在其前面加入CC。`,
     contourCrossesItself: (d) => `元素${d.element}与元素${d.other}相交。`,
     toolRadiusTooLarge: (d, w) => `第 ${d.element} 个元素：刀具半径 ${w.size(d.radius)} 过大。${nearest(d.nearest, w.size)}`,
+    pathCutsContour: (d, w) =>
+      `沿第 ${d.element} 个元素加工时，刀具在 ${w.spot(d.x, d.y, undefined)} 切入第 ${d.other} 个元素 ${w.length(d.depth)}：刀具无法通过；`
+      + `数控系统只比较相邻元素。${nearest(d.nearest, w.size)}`,
     approachNeedsSide: () => "CT 需要 RL 或 RR：编程 R0 时数控系统在此停止。",
     approachSideAssumed: () => "R0 没有指明侧面：这里假定刀具从轮廓左侧接近。请在数控系统上核实。",
     approachInsideCircle: (d, w) => `${d.point} 位于 R ${w.size(d.radius)} 的圆内：从该点没有直线与圆相切。${nearest(d.nearest, w.size)}`,
