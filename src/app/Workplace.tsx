@@ -5,7 +5,7 @@ import { ContourViews } from "./contour/ContourViews.tsx";
 import { chooseElement, useContourPlace } from "./contour/contour-place.ts";
 import { BackToPrompts } from "./dialog/BackToPrompts.tsx";
 import { CycleDialog } from "./dialog/CycleDialog.tsx";
-import { HelpDock } from "./dialog/HelpDock.tsx";
+import { Centre, HelpDock } from "./dialog/HelpDock.tsx";
 import { setContour, setPrompt } from "./edits.ts";
 import { EffectStrip } from "./effect/EffectStrip.tsx";
 import { PinnedCard } from "./effect/Pinned.tsx";
@@ -113,7 +113,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
       <Late>
         <EffectStrip read={read} />
       </Late>
-      <div className="centre">
+      <Centre>
         {drawing
           ? (
             <Suspense>
@@ -138,7 +138,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
         {!drawing && <HelpDock />}
         {!drawing && <PinnedCard />}
         <Working />
-      </div>
+      </Centre>
       {wide && (
         <div className="right">
           {folded

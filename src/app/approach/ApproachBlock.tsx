@@ -15,9 +15,9 @@ import { isFresh, markFresh } from "./fresh-block.ts";
 /** The dialog of the open APPR or DEP block of the program. One that was just put in begins with the choice of its form. */
 export function ApproachBlock({ problems }: { readonly problems: readonly FindingEntry[] }) {
   const { reading: { program }, index } = useSession();
-  const newest = useOutcome((s) => s.newest?.run ?? null);
+  const made = useOutcome((s) => s.newest?.run ?? null);
   // The approaches of a run are known by the blocks of the program that called.
-  const run = useShownBeside() === null ? newest : null;
+  const run = useShownBeside() === null ? made : null;
   const [fresh] = useState(() => isFresh(index));
   useEffect(() => markFresh(null), []);
   const context = useMemo(() => approachContext(program, index, run, parametersBefore(program, index)), [program, index, run]);
@@ -27,8 +27,15 @@ export function ApproachBlock({ problems }: { readonly problems: readonly Findin
   const onOpen = useCallback((word: string | null) => useGuidedBlock.setState({ block: { work, line, word } }), [work, line]);
   const statement = program.blocks[index]?.statement;
   if (statement?.kind !== "approach") return null;
+  const newest = () => {
+    const now = useSession.getState(), { statement: block } = now.reading.program.blocks[now.index] ?? {};
+    return block?.kind === "approach" ? block : statement;
+  };
   return (
-    <ApproachDialog statement={statement} context={context} found={problems} choosing={fresh} begins={begins} onOpen={onOpen}
-      onChange={(next, place) => editProgram(withBlock(program, index, next), place === null ? null : `block ${index} ${place}`)} />
+    <ApproachDialog statement={statement} newest={newest} context={context} found={problems} choosing={fresh} begins={begins}
+      onOpen={onOpen} onChange={(next, place) => {
+      const now = useSession.getState();
+      editProgram(withBlock(now.reading.program, now.index, next), place === null ? null : `block ${now.index} ${place}`);
+    }} />
   );
 }

@@ -1,4 +1,4 @@
-import { cleanup, render, screen } from "@testing-library/react";
+import { cleanup, fireEvent, render, screen, waitFor } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { useState } from "react";
 import { afterEach, beforeAll, expect, test } from "vitest";
@@ -47,7 +47,7 @@ test("the drawing names its points with their coordinates, and follows what is t
   await userEvent.clear(open());
   await userEvent.type(open(), "15");
   expect(now.block).toBe("4 APPR LT X+5 Y+5 LEN15 RL F300");
-  expect(screen.getByRole("img", { name: /PH at X−5 Y−10/ })).toBeDefined();
+  expect(await screen.findByRole("img", { name: /PH at X−5 Y−10/ })).toBeDefined();
 });
 
 test("what is wrong is said at its prompt and leaves the block as it was", async () => {
@@ -55,11 +55,34 @@ test("what is wrong is said at its prompt and leaves the block as it was", async
   await userEvent.click(screen.getByRole("button", { name: /^LEN length/ }));
   await userEvent.clear(open());
   await userEvent.type(open(), "1x");
-  expect(open().getAttribute("aria-invalid")).toBe("true");
+  await waitFor(() => expect(open().getAttribute("aria-invalid")).toBe("true"));
   expect(now.block).toContain("LEN1 ");
   await userEvent.keyboard("{Escape}");
   expect(open().value).toBe("10");
   expect(now.block).toContain("LEN10");
+});
+
+test("what is typed before the page shows the key before it goes by the block as it stands", async () => {
+  const program = { now: parse(TEXT) };
+  const blockOf = () => program.now.blocks[4]?.statement;
+  const shownBlock = blockOf();
+  if (shownBlock?.kind !== "approach") throw new Error("block 4 is no approach");
+  const context = approachContext(program.now, 4, run(program.now, { tools: [], rapid: 10_000 }), {});
+  const newest = () => {
+    const block = blockOf();
+    return block?.kind === "approach" ? block : shownBlock;
+  };
+  render(
+    <ApproachDialog statement={shownBlock} newest={newest} context={context} onChange={(next) =>
+      program.now = withBlock(program.now, 4, next)} />,
+  );
+  await userEvent.click(screen.getByRole("button", { name: /^LEN length/ }));
+  const type = (text: string) => fireEvent.change(open(), { target: { value: text } });
+  type("3");
+  type("3x");
+  expect(program.now.blocks[4]?.raw).toContain("LEN3 ");
+  type("10");
+  expect(program.now.blocks[4]?.raw).toContain("LEN10 ");
 });
 
 test("the keys of the control walk through the prompts to the end", async () => {

@@ -19,6 +19,8 @@ import { useApproachSession, useTypedApproach } from "./use-approach-session.tsx
 
 interface Props {
   readonly statement: ApproachStatement;
+  /** The block as it stands, where that is shown a moment after it was typed. */
+  readonly newest?: () => ApproachStatement;
   /** What stands round the block: `approachContext` makes it from program and run. */
   readonly context: ApproachContext;
   /** What the last run found at this block. */
@@ -48,12 +50,14 @@ function ApproachDone({ session }: { readonly session: PromptSession }) {
 }
 
 /** The dialog of an APPR or DEP block: one prompt open, the drawing of its values, all other prompts one line each. */
-export function ApproachDialog({ statement, context, found = [], choosing: first = false, begins = null, onOpen, onChange }: Props) {
+export function ApproachDialog({ statement, newest = () => statement, context, found = [], choosing: first = false, begins = null, onOpen,
+  onChange }: Props)
+{
   const { approach: t } = useTexts();
   const [choosing, choose] = useState(first);
   const { form, departing } = statement;
   const name = `${departing ? "DEP" : "APPR"} ${form}`;
-  const typed = useTypedApproach(statement, context, onChange);
+  const typed = useTypedApproach(statement, context, newest, onChange);
   const ready = readyApproach(form, departing, typed.reading, context);
   const made = ready && approach(ready.request);
 

@@ -1,8 +1,9 @@
 import { memo } from "react";
-import type { PlaneStep } from "../../program/plane-types.ts";
+import type { Run } from "../../program/run-types.ts";
 import type { RapidThrough } from "../../sim/plane/milled.ts";
-import type { PlaneRole, PlaneScene, PlaneShape } from "../../view/approach/plane-scene.ts";
+import type { PlaneRole } from "../../view/approach/plane-scene.ts";
 import { ringData } from "../../view/path.ts";
+import { useAhead } from "../lathe/Ahead.tsx";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { World } from "../lathe/World.tsx";
@@ -11,26 +12,29 @@ import type { GrowingStock } from "./milled.ts";
 import { MilledSheet } from "./MilledSheet.tsx";
 import { MillSheet, RunningMotion } from "./MillSheet.tsx";
 import { PlaneAxes } from "./PlaneAxes.tsx";
-
-const Still = memo(function Still({ shapes }: { readonly shapes: readonly PlaneShape[] }) {
-  return <>{shapes.map(({ role, d }) => <path key={role} className={`plane-${role}`} d={d} />)}</>;
-});
+import { planeOfRun } from "./plane-run.ts";
 
 /** Lines that lie on milled stock have a light edge, so that they are seen on its darkest tone. */
 const EDGED: readonly PlaneRole[] = ["rapid", "feed", "lead"];
 
-const Edges = memo(function Edges({ shapes }: { readonly shapes: readonly PlaneShape[] }) {
-  return <path className="plane-under" d={shapes.flatMap(({ role, d }) => (EDGED.includes(role) ? [d] : [])).join("")} />;
+/** Contours and path, those of a newer run where there is one: they are drawn with the key that changes them. */
+const NewestLines = memo(function NewestLines({ of }: { readonly of: Run }) {
+  const { scene: { shapes } } = planeOfRun(useAhead(of) ?? of);
+  return (
+    <>
+      <path className="plane-under" d={shapes.flatMap(({ role, d }) => (EDGED.includes(role) ? [d] : [])).join("")} />
+      {shapes.map(({ role, d }) => <path key={role} className={`plane-${role}`} d={d} />)}
+    </>
+  );
 });
 
 /**
  * Blank, contours, path and mill in the working plane, in sheets from back to front. The drawing is painted once; while it plays the stock
  * is painted where the tool is, and the tool's sheet is moved.
  */
-export function PlanePicture({ viewport, scene, steps, playback, milled, rapids, chosen, hovered, name, children }: {
+export function PlanePicture({ viewport, run, playback, milled, rapids, chosen, hovered, name, children }: {
   readonly viewport: Viewport;
-  readonly scene: PlaneScene;
-  readonly steps: readonly PlaneStep[];
+  readonly run: Run;
   readonly playback: PlaybackStore;
   readonly milled: GrowingStock | NoStock;
   /** Where rapids run through material that stands. */
@@ -42,6 +46,7 @@ export function PlanePicture({ viewport, scene, steps, playback, milled, rapids,
   /** What stands in screen space above the picture. */
   readonly children: React.ReactNode;
 }) {
+  const { plane: steps } = run;
   return (
     <div className="lathe-picture plane-picture" role="img" aria-label={name}>
       <svg className="sheet">
@@ -52,8 +57,7 @@ export function PlanePicture({ viewport, scene, steps, playback, milled, rapids,
         <World viewport={viewport} shifts>
           {rapids.length > 0 && <path className="shape-gouge plane-rapid-through"
             d={ringData(rapids.flatMap(({ rings }) => [...rings]))} />}
-          <Edges shapes={scene.shapes} />
-          <Still shapes={scene.shapes} />
+          <NewestLines of={run} />
           {chosen}
         </World>
       </svg>

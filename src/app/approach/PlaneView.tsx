@@ -1,9 +1,10 @@
 import { useEffect, useId, useMemo, useState } from "react";
 import { Toolbar } from "react-aria-components/Toolbar";
-import { planeScene, PLANE_ROLES } from "../../view/approach/plane-scene.ts";
+import { PLANE_ROLES } from "../../view/approach/plane-scene.ts";
 import { joined } from "../../view/bounds.ts";
 import { trackOf } from "../../view/playback.ts";
 import type { Clock } from "../clock.ts";
+import { Late } from "../Late.tsx";
 import type { MovePointed } from "../lathe/LatheView.tsx";
 import type { LatheResult } from "../lathe/use-material.ts";
 import { GlyphButton } from "../lathe/GlyphButton.tsx";
@@ -31,6 +32,7 @@ import { useMilledStock } from "./milled.ts";
 import { MilledLegend } from "./MilledLegend.tsx";
 import { MilledNotes } from "./MilledNotes.tsx";
 import { PlanePicture } from "./PlanePicture.tsx";
+import { planeOfRun } from "./plane-run.ts";
 import { cutPlace } from "./plane-places.ts";
 import { ChosenMotions, HoveredMotion } from "./PlaneMarks.tsx";
 import { usePlaneSource } from "./plane-source.ts";
@@ -67,11 +69,7 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
   const [tools, showTools] = useState(false);
   const { run } = result, { plane: steps } = run, lengths = useLengths(run);
   const { milled, rapids } = useMilledStock(result);
-  const approaches = useMemo(() => run.approaches.filter((a) => a.plane === "XY"), [run]);
-  const scene = useMemo(() => planeScene(steps, approaches.map((a) => a.contour), new Set(approaches.map((a) => a.index))), [
-    steps,
-    approaches,
-  ]);
+  const { approaches, scene } = planeOfRun(run);
   const timed = useMemo(() => ({
     operations: run.operations,
     steps: steps.map((s) => ({ move: { kind: s.feed === undefined ? "rapid" : "feed" }, operation: null, seconds: s.seconds })),
@@ -147,8 +145,8 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
       <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}`} tabIndex={0} role="group"
         aria-label={own.view} aria-describedby={`${id}keys`} {...{ [KEEPS_KEYBOARD]: "" }}
       >
-        <PlanePicture viewport={viewport} scene={scene} steps={steps} playback={playback} milled={milled} rapids={rapids}
-          chosen={<ChosenMotions run={run} />} hovered={<HoveredMotion run={run} hover={hover} />} name={name}
+        <PlanePicture viewport={viewport} run={run} playback={playback} milled={milled} rapids={rapids} chosen={<ChosenMotions run={run} />}
+          hovered={<HoveredMotion run={run} hover={hover} />} name={name}
         >
           <PlanePoints viewport={viewport} approaches={approaches} speech={speech} id={id} />
           <FreePoints viewport={viewport} places={places} speech={speech} />
@@ -160,19 +158,23 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
         {dimmed && <Outdated />}
         <p id={`${id}keys`} className="unseen">{t.keys}</p>
       </div>
-      <DepthPicture steps={steps} playback={playback} />
-      <PlaneReadout steps={steps} approaches={approaches} playback={playback} />
+      <Late>
+        <DepthPicture steps={steps} playback={playback} />
+        <PlaneReadout steps={steps} approaches={approaches} playback={playback} />
+      </Late>
       <PlaybackBar playback={playback}>
         <span className="lathe-fold">
           <GlyphButton glyph="view" name={t.viewTools} expanded={tools} onPress={() => showTools(!tools)} />
         </span>
       </PlaybackBar>
-      <Timeline run={timed} playback={playback} />
-      <SpokenMoment steps={steps} approaches={approaches} playback={playback} clock={clock} />
-      <div className="lathe-more">
-        {typeof milled !== "string" && <MilledNotes run={run} rapids={rapids} />}
-        <PointTable approaches={approaches} speech={speech} />
-      </div>
+      <Late>
+        <Timeline run={timed} playback={playback} />
+        <SpokenMoment steps={steps} approaches={approaches} playback={playback} clock={clock} />
+        <div className="lathe-more">
+          {typeof milled !== "string" && <MilledNotes run={run} rapids={rapids} />}
+          <PointTable approaches={approaches} speech={speech} />
+        </div>
+      </Late>
     </section>
   );
 }

@@ -20,7 +20,10 @@ const SLICE = { cuts: 6, rests: 4 } as const;
 /** Air round the blank, mm per mm of it. */
 const AIR = 0.03;
 
-function growing({ run, simulation }: LatheResult): { readonly stock: MilledStock; readonly listeners: Set<() => void> } | NoStock {
+function growing(
+  run: LatheResult["run"],
+  simulation: LatheResult["simulation"],
+): { readonly stock: MilledStock; readonly listeners: Set<() => void> } | NoStock {
   const stock = uncutStock(run, simulation);
   return typeof stock === "string" ? stock : { stock, listeners: new Set() };
 }
@@ -33,7 +36,9 @@ export function useMilledStock(result: LatheResult): { readonly milled: GrowingS
   // What turning leaves is known when that is proved; until then the stock of before stays.
   const newest = result.simulation || result.run.steps.length === 0 ? result : held;
   if (newest !== held) hold(newest);
-  const made = useMemo(() => growing(newest), [newest]);
+  // A proof says nothing new of a program that does not turn: what is cut for its path stays.
+  const { run } = newest, simulation = run.steps.length > 0 ? newest.simulation : null;
+  const made = useMemo(() => growing(run, simulation), [run, simulation]);
   const [done, setDone] = useState<MilledStock | null>(null);
   useEffect(() => {
     if (typeof made === "string") return undefined;

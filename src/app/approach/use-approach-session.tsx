@@ -1,4 +1,4 @@
-import { useState, type ReactNode } from "react";
+import { useMemo, useState, type ReactNode } from "react";
 import type { Texts } from "../../i18n/index.ts";
 import { formatNumber, formatSigned } from "../../i18n/number.ts";
 import { approachDraft, approachStatement, readApproach, SIDES, type ApproachDraft, type ApproachReading,
@@ -9,6 +9,7 @@ import type { Prompt, PromptSession } from "../dialog/session.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { heldWhileTyping } from "../typing.ts";
 
 /** What is typed into the prompts of one block. */
 export interface TypedApproach {
@@ -20,33 +21,33 @@ export interface TypedApproach {
 const same = (a: ApproachStatement, b: ApproachStatement) =>
   a.form === b.form && a.departing === b.departing && JSON.stringify(approachDraft(a)) === JSON.stringify(approachDraft(b));
 
+/** What the prompts of a block hold: what was typed, unless the block was changed elsewhere and says something else. */
+const shownDraft = (statement: ApproachStatement, { plane, parameters }: ApproachContext, typed: ApproachDraft): ApproachDraft =>
+  same(approachStatement(statement, plane, typed, parameters), statement) ? typed : approachDraft(statement);
+
 /**
  * Typed text of a block. What can be read goes into the block at once; what can not stays in its prompt. A block that was
- * changed elsewhere (undo, its text) takes the place of what was typed.
+ * changed elsewhere (undo, its text) takes the place of what was typed. `newest`: the block as it stands, which is shown a moment after it
+ * was typed.
  */
 export function useTypedApproach(
   statement: ApproachStatement,
-  { plane, parameters }: ApproachContext,
+  context: ApproachContext,
+  newest: () => ApproachStatement,
   onChange: (next: ApproachStatement, place: string | null) => void,
 ): TypedApproach {
-  const [draft, setDraft] = useState(() => approachDraft(statement));
-  const [known, setKnown] = useState(statement);
-  let shown = draft;
-  if (known !== statement) {
-    setKnown(statement);
-    if (!same(approachStatement(statement, plane, draft, parameters), statement)) {
-      shown = approachDraft(statement);
-      setDraft(shown);
-    }
-  }
+  const { plane, parameters } = context;
+  const [useTyped] = useState(() => heldWhileTyping(() => ({ draft: approachDraft(statement) })));
+  const typed = useTyped((s) => s.draft);
+  const draft = useMemo(() => shownDraft(statement, context, typed), [statement, context, typed]);
   return {
-    draft: shown,
-    reading: readApproach(statement, plane, shown, parameters),
+    draft,
+    reading: useMemo(() => readApproach(statement, plane, draft, parameters), [statement, plane, draft, parameters]),
     set(words) {
-      const next = { ...shown, ...words };
-      setDraft(next);
-      const written = approachStatement(statement, plane, next, parameters);
-      if (!same(written, statement)) onChange(written, Object.keys(words).join(" "));
+      const now = newest(), next = { ...shownDraft(now, context, useTyped.getState().draft), ...words };
+      useTyped.setState({ draft: next });
+      const written = approachStatement(now, plane, next, parameters);
+      if (!same(written, now)) onChange(written, Object.keys(words).join(" "));
     },
   };
 }

@@ -1,7 +1,7 @@
-import { useRef, type ReactNode } from "react";
+import { useLayoutEffect, useRef, type ReactNode } from "react";
 import { createPortal } from "react-dom";
 import { useFingers } from "../use-media.ts";
-import { useHelpDock } from "./help-dock.ts";
+import { fillHelpDock, useHelpDock } from "./help-dock.ts";
 import { Keypad } from "./Keypad.tsx";
 import { OpenPrompt } from "./OpenPrompt.tsx";
 import { onPromptKey } from "./prompt-keys.ts";
@@ -29,7 +29,8 @@ export function PromptDialog({ session, name, listName, done, hint, head, instea
   const fingers = useFingers();
   const input = useRef<ValueField | null>(null);
   const open = openPromptOf(session);
-  const dock = useHelpDock((d) => d.dock);
+  const dock = useHelpDock((d) => d.dock), fills = dock !== null && !instead;
+  useLayoutEffect(() => (fills ? fillHelpDock() : undefined), [fills]);
   return (
     <div className={`cycle-dialog ${className}`.trim()} role="form" id="prompts" aria-label={name}>
       {head}

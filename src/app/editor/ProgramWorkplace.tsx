@@ -2,7 +2,7 @@ import { Suspense, useEffect, useMemo, type ReactNode } from "react";
 import { knownWork } from "../../program/known-work.ts";
 import { MachineView } from "../approach/MachineView.tsx";
 import { clock } from "../clock.ts";
-import { HelpDock } from "../dialog/HelpDock.tsx";
+import { Centre, HelpDock } from "../dialog/HelpDock.tsx";
 import { PinnedCard } from "../effect/Pinned.tsx";
 import { givenOf } from "../engine/given.ts";
 import { Working } from "../engine/Working.tsx";
@@ -108,7 +108,7 @@ export function ProgramWorkplace() {
         }))} />
       </div>
       <TotalsStrip />
-      <div className="centre">
+      <Centre>
         <MeasuredInto value={measured}>
           <MachineView result={shown} known={open === "block" ? known : null} dimmed={dimmed} playback={playback} clock={clock}
             onMove={openMove} />
@@ -116,7 +116,7 @@ export function ProgramWorkplace() {
         <HelpDock />
         <PinnedCard />
         <Working />
-      </div>
+      </Centre>
       {wide && (
         <div className="right">
           <TextPanel />

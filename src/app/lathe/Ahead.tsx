@@ -13,7 +13,7 @@ import { stretchesOf } from "./use-paths.ts";
  */
 
 /** The newest run of the open work, as long as the picture is still one of before it. */
-function useAhead(of: Run | null): Run | null {
+export function useAhead(of: Run | null): Run | null {
   const newest = useOutcome.atOnce((s) => s.pictured?.run ?? null);
   return of && newest !== of ? newest : null;
 }
