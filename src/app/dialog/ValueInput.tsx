@@ -39,13 +39,17 @@ export function ValueInput({ session, prompt: { id, name, suggestion }, describe
   useLayoutEffect(() => opened(), [id, session.opened.focus]);
   useImperativeHandle(field, () => ({ read, write, focus: () => input.current?.focus({ preventScroll: true }) }));
 
+  // A placeholder that is covered by a value would get its style anew with each digit.
+  const placeholder = suggestion && text === "" ? inScreenWriting(language, suggestion.text) : undefined;
   return (
-    <input ref={input} className="value number" type="text" inputMode={ownKeypad ? "none" : session.keypad === "sums" ? "decimal" : "text"}
-      enterKeyHint="next" autoComplete="off" autoCapitalize="characters" spellCheck={false} maxLength={200} aria-label={name}
-      aria-describedby={describedBy} aria-invalid={invalid} {...(suggestion && { placeholder: inScreenWriting(language, suggestion.text) })}
-      value={inScreenWriting(language, text)} onChange={(event) => {
-      onTyped();
-      type(event.currentTarget.value);
-    }} onKeyDown={onKeyDown} onBlur={() => commandsOf(session).leave()} />
+    <div className="value-box">
+      <input ref={input} className="value number" type="text" inputMode={ownKeypad ? "none" : session.keypad === "sums" ? "decimal" : "text"}
+        enterKeyHint="next" autoComplete="off" autoCapitalize="characters" spellCheck={false} maxLength={200} aria-label={name}
+        aria-describedby={describedBy} aria-invalid={invalid} placeholder={placeholder} value={inScreenWriting(language, text)}
+        onChange={(event) => {
+          onTyped();
+          type(event.currentTarget.value);
+        }} onKeyDown={onKeyDown} onBlur={() => commandsOf(session).leave()} />
+    </div>
   );
 }
