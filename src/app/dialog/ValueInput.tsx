@@ -43,13 +43,13 @@ export function ValueInput({ session, prompt: { id, name, suggestion }, describe
   const placeholder = suggestion && text === "" ? inScreenWriting(language, suggestion.text) : undefined;
   return (
     <div className="value-box">
-      <input ref={input} className="value number" type="text" inputMode={ownKeypad ? "none" : session.keypad === "sums" ? "decimal" : "text"}
-        enterKeyHint="next" autoComplete="off" autoCapitalize="characters" spellCheck={false} maxLength={200} aria-label={name}
-        aria-describedby={describedBy} aria-invalid={invalid} placeholder={placeholder} value={inScreenWriting(language, text)}
-        onChange={(event) => {
-          onTyped();
-          type(event.currentTarget.value);
-        }} onKeyDown={onKeyDown} onBlur={() => commandsOf(session).leave()} />
+      <input ref={input} className="value number" type="text"
+        inputMode={ownKeypad ? "none" : session.keypad === "sums" ? "decimal" : "text"} enterKeyHint="next" autoComplete="off"
+        autoCapitalize="characters" spellCheck={false} maxLength={200} aria-label={name} aria-describedby={describedBy}
+        aria-invalid={invalid} placeholder={placeholder} value={inScreenWriting(language, text)} onChange={(event) => {
+        onTyped();
+        type(event.currentTarget.value);
+      }} onKeyDown={onKeyDown} onBlur={() => commandsOf(session).leave()} />
     </div>
   );
 }

@@ -62,7 +62,7 @@ export function stockPictures(outcome: Outcome, look: StockLook, position: PlayP
   painter.goTo(position);
   return {
     work: painted(look.origin, look.ratio, (pen) => painter.all(pen, look)),
-    shop: painted(look.room, look.ratio, (pen) => paintShop(pen, { ...look, origin: look.room }, look.origin)),
+    shop: painted(look.ground, look.ratio, (pen) => paintShop(pen, look)),
   };
 }
 

@@ -6,7 +6,7 @@ import type { ChuckDrawing } from "../../view/material/chuck.ts";
 import type { Patch } from "../../view/material/pen.ts";
 import type { MaterialColours } from "../../view/material/easel.ts";
 import { farthest, paintShop, stockPainter, untouchedRun, type StockLook } from "../../view/material/stock-painter.ts";
-import { patchWithin, turnedPatchOf } from "../../view/material/touched.ts";
+import { chuckPatch, patchWithin, turnedPatchOf } from "../../view/material/touched.ts";
 import type { KnownOutcome } from "../engine/load-request.ts";
 import type { StockPictures } from "../engine/played.ts";
 import { askWorker } from "../engine/worker-life.ts";
@@ -31,6 +31,8 @@ const COLOURS = {
 } as const satisfies Record<keyof MaterialColours, string>;
 
 const NOWHERE: Patch = { x: 0, y: 0, width: 0, height: 0 };
+/** Where nothing stands round the work: a bitmap has a pixel at least. */
+const SPECK: Patch = { x: 0, y: 0, width: 1, height: 1 };
 
 /** So long the worker may paint for another look before the page does it, ms: what is drawn is shifted meanwhile. */
 const PATIENCE = 150;
@@ -82,21 +84,25 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
   const box = boundsOf(blanks.flat()), widest = { outer: farthest(blanks), along: 0 };
   const painter = stockPainter(moving ?? untouchedRun(blank)), playback = moving?.playback;
   const played = moving ? playedLayer(holder, moving.playback, () => playedSteps(moving.steps)) : null;
-  let camera = viewport.drawn(), room = drawnRoom(viewport.size()), ratio = devicePixelRatio, work: Patch = NOWHERE;
+  let camera = viewport.drawn(), room = drawnRoom(viewport.size()), ratio = devicePixelRatio, work: Patch = NOWHERE, ground = SPECK;
   /** The camera for which the worker is painting. */
   let awaited: Camera | null = null;
-  const look = (): StockLook => ({ section, chuck, camera, colours, ratio, origin: work, room });
+  const look = (): StockLook => ({ section, chuck, camera, colours, ratio, origin: work, ground, room });
   /** What is to be painted where the picture is to be drawn for. */
   const nextLook = (): StockLook => {
     const next = { ...look(), camera: viewport.drawn(), room: drawnRoom(viewport.size()), ratio: devicePixelRatio };
-    return { ...next, origin: (box && patchWithin(turnedPatchOf(box, next.camera, widest, next.ratio), next.room)) ?? NOWHERE };
+    return {
+      ...next,
+      origin: (box && patchWithin(turnedPatchOf(box, next.camera, widest, next.ratio), next.room)) ?? NOWHERE,
+      ground: (chuck && patchWithin(chuckPatch(chuck, next.camera, next.ratio), next.room)) ?? SPECK,
+    };
   };
   /** Looks where the picture is to be drawn for; what is painted from now on is painted for that. */
   const turn = () => {
-    ({ camera, room, ratio, origin: work } = nextLook());
+    ({ camera, room, ratio, origin: work, ground } = nextLook());
   };
   const shift = () => {
-    shiftSheet(under, viewport, room, camera);
+    shiftSheet(under, viewport, ground, camera);
     for (const sheet of [over, given, played?.canvas()]) if (sheet) shiftSheet(sheet, viewport, work, camera);
   };
   let shows: "own" | "given" | "played" = given.style.visibility === "" ? "given" : "own";
@@ -122,9 +128,9 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     const seen = groundKey();
     if (seen === memory.ground) return;
     memory.ground = seen;
-    fitCanvas(under, room);
+    fitCanvas(under, ground);
     const easel = new OffscreenCanvas(under.width, under.height), below = easel.getContext("2d");
-    if (below) paintShop(below, { ...look(), origin: room }, work);
+    if (below) paintShop(below, look());
     shop.transferFromImageBitmap(easel.transferToImageBitmap());
   };
   const paintAll = () => {
@@ -148,7 +154,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     painter.goTo(position);
     turn();
     [memory.ground, memory.work] = [groundKey(), workKey()];
-    fitCanvas(under, room);
+    fitCanvas(under, ground);
     shop.transferFromImageBitmap(around);
     fitCanvas(given, work);
     frame.transferFromImageBitmap(stock);

@@ -19,10 +19,14 @@ export interface PaintedRun {
   readonly surfaces: Surfaces;
 }
 
-/** How a stock is looked at: `origin` is the part of the picture that is painted on, `room` all of it that can be seen. */
+/**
+ * How a stock is looked at: `origin` is the part of the picture that is painted on, `ground` the one that shows what stands there without
+ * the work, `room` all of it that can be seen.
+ */
 export interface StockLook extends Pick<Material, "section" | "chuck">, Pick<Easel, "colours" | "ratio"> {
   readonly camera: Camera;
   readonly origin: Patch;
+  readonly ground: Patch;
   readonly room: Patch;
 }
 
@@ -47,10 +51,11 @@ export const untouchedRun = (blank: readonly Ring[]): PaintedRun => ({
   surfaces: UNTOUCHED,
 });
 
-/** Paints what stands there without the work, and leaves out where that is painted. */
-export function paintShop(pen: Pen, look: StockLook, { x, y, width, height }: Patch): void {
-  stockPainter(untouchedRun([])).all(pen, look);
-  asPage({ pen, ...look });
+/** Paints what stands there without the work on a pen for the ground of a look, and leaves out where the work is painted. */
+export function paintShop(pen: Pen, look: StockLook): void {
+  const onGround = { ...look, origin: look.ground }, { x, y, width, height } = look.origin;
+  stockPainter(untouchedRun([])).all(pen, onGround);
+  asPage({ pen, ...onGround });
   pen.clearRect(x, y, width, height);
 }
 

@@ -6,6 +6,7 @@ import type { Tool } from "../../kernel/tool.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { boundsOf, grownBounds, joined } from "../bounds.ts";
 import { toScreen, type Bounds, type Camera } from "../camera.ts";
+import type { ChuckDrawing } from "./chuck.ts";
 import type { Patch } from "./pen.ts";
 
 /** Inserts are flattened this coarse, mm; the boxes are as much larger. */
@@ -87,6 +88,12 @@ export function turnedPatchOf(
 ): Patch {
   const far = Math.min(high, outer);
   return patchOf({ left: left - along, right: right + along, low: -far, high: far }, camera, ratio);
+}
+
+/** The patch that shows a chuck. */
+export function chuckPatch({ body, jaw, base, screw, flank, backs, seen }: ChuckDrawing, camera: Camera, ratio: number): Patch {
+  const places = [...jaw, ...base, ...screw, ...flank, ...backs.flat()], far = Math.max(body.radius, ...places.map(([, r]) => Math.abs(r)));
+  return patchOf({ left: body.back, right: Math.max(seen.right, ...places.map(([z]) => z)), low: -far, high: far }, camera, ratio);
 }
 
 /** What of a patch lies in another one; null when nothing does. */
