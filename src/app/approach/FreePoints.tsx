@@ -14,15 +14,15 @@ export function FreePoints({ viewport, places, speech }: { readonly viewport: Vi
   const t = useTexts().approach, camera = useCamera(viewport);
   return (
     <g className="plane-free" aria-hidden="true">
-      {places.map(({ id, free, point }) => {
+      {places.map(({ id, free }) => {
         if (!free) return null;
-        const at = toScreen(camera, partPoint(free));
+        const at = toScreen(camera, partPoint(free.at));
         return (
           <g key={id} transform={`translate(${px(at.x)} ${px(at.y)})`}>
             <circle r="7" />
             <path d="M-11 0H11M0 -11V11" />
-            <text x="14" y="-10">{t.free} {point}</text>
-            <text className="number" x="14" y="6">{speech.point(free)}</text>
+            <text x="14" y="-10">{t.free} {free.point}</text>
+            <text className="number" x="14" y="6">{speech.point(free.at)}</text>
           </g>
         );
       })}

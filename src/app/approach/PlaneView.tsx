@@ -111,7 +111,7 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
     resting,
   ]);
   const found = usePlaces("XY");
-  const places = useMemo(() => (dimmed ? [] : found.flatMap((place) => cutPlace(place) ?? [])), [dimmed, found]);
+  const places = useMemo(() => (dimmed ? [] : found.map(cutPlace)), [dimmed, found]);
   const { chosen, choose } = useLooking(places, viewport, playback);
   const lines = { contour: texts.contour.title, rapid: t.rapid, feed: own.feedMove, lead: `${own.approach} / ${own.departure}` };
   const there = PLANE_ROLES.filter((role) => role !== "contour" && scene.shapes.some((s) => s.role === role));
@@ -152,8 +152,8 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
           <FreePoints viewport={viewport} places={places} speech={speech} />
           <PlaceLines seeing={seenFlat(viewport)} places={places} />
         </PlanePicture>
-        <PlaceButtons seeing={seenFlat(viewport)} places={places} chosen={chosen} choose={choose} />
         <MilledLegend milled={milled} />
+        <PlaceButtons seeing={seenFlat(viewport)} places={places} chosen={chosen} choose={choose} />
         <Measurements viewport={viewport} measuring={measuring} source={source} />
         {dimmed && <Outdated />}
         <p id={`${id}keys`} className="unseen">{t.keys}</p>

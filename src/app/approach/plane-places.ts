@@ -1,17 +1,15 @@
 import type { PlanePoint } from "../../kernel/plane.ts";
 import type { LookAt } from "../lathe/places.ts";
 
-/** A place where the way onto a contour cuts it, with the start or end point that is free. */
+/** A place where a tool cuts a contour, with the start or end point that is free where the check proposes one. */
 export interface CutPlace extends LookAt {
-  readonly free: PlanePoint | null;
-  /** Which point it is. */
-  readonly point: "PS" | "PN";
+  readonly free: { readonly at: PlanePoint; readonly point: "PS" | "PN" } | null;
 }
 
 /** What a finding of the check of approach and departure proposes beside its place. */
-export function cutPlace(place: LookAt): CutPlace | null {
+export function cutPlace(place: LookAt): CutPlace {
   const { issue } = place;
-  if (issue?.code !== "approachCutsContour" && issue?.code !== "approachValueCutsContour" && issue?.code !== "approachBlocked") return null;
-  const free = issue.code === "approachCutsContour" && issue.data.freeY !== undefined ? { x: issue.data.freeX, y: issue.data.freeY } : null;
-  return { ...place, free, point: issue.data.point };
+  return issue?.code === "approachCutsContour" && issue.data.freeY !== undefined
+    ? { ...place, free: { at: { x: issue.data.freeX, y: issue.data.freeY }, point: issue.data.point } }
+    : { ...place, free: null };
 }

@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { findings as english } from "../../i18n/en/findings.ts";
+import { spotOn } from "../../kernel/mill-motion.ts";
 import { exampleJob, type Job } from "../../program/job.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { engine } from "../engine/engine.ts";
@@ -75,6 +76,32 @@ test("worst first, each place of the picture with its own mark", () => {
       expect(spot.bounds.left).toBeLessThan(spot.place.z);
       expect(spot.bounds.right).toBeGreaterThan(spot.place.z);
     }
+});
+
+test.each([["a waist that its tool does not pass, where the tool cuts it", "5", "APPR LT X-30 Y-10 LEN10", ["pathCutsContour"], {
+  x: 0,
+  y: 9,
+}], ["a wall too short for its tool, at the wall", "7", "APPR LT X-30 Y-10 LEN10", ["toolRadiusTooLarge", "toolRadiusTooLarge"], {
+  x: 10,
+  y: -3,
+}]])("%s is a place of the plane", (_, tool, approach, codes, place) => {
+  const outcome = outcomeOf(`BEGIN PGM P MM
+TOOL DEF 1 L+0 R+${tool}
+TOOL CALL 1 Z S4000
+L X-70 Y-20 R0 FMAX M3
+L Z-5 R0 F300
+${approach} RL F200
+L X+0 Y+0\nL X+10\nL Y-6\nL X+40\nL Y+15\nL X+10\nL Y+9\nL X+0\nL X-30 Y+19
+DEP LT LEN30
+END PGM P MM`);
+  const found = findingsOf(null, outcome).filter(({ spot }) => spot);
+  expect(found.map(({ issue }) => issue.code)).toEqual(codes);
+  const spot = found[0]?.spot, radius = Number(tool);
+  expect(spot).toMatchObject({ plane: "XY", place: { z: place.x, r: place.y } });
+  // The whole mill is in the picture then, and touches the place or is over it.
+  const step = outcome.run.plane[spot?.position.step ?? -1], at = step && spotOn(step, spot?.position.fraction ?? 0);
+  expect(Math.hypot((at?.x ?? NaN) - place.x, (at?.y ?? NaN) - place.y)).toBeLessThan(radius + 0.01);
+  expect((spot?.bounds.right ?? 0) - place.x).toBeGreaterThan(2 * radius);
 });
 
 test.each([["a cycle that is kept", "CYCL DEF 892 CHECK UNBALANCE~\nQ450=+0\n5 CYCL CALL", "unproved"], [

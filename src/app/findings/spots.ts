@@ -1,4 +1,5 @@
-import { partPoint } from "../../kernel/plane.ts";
+import { wayOf } from "../../kernel/mill-motion.ts";
+import { partPoint, plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
 import type { Pt, Ring } from "../../kernel/point.ts";
 import { axial, diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
 import type { RunFinding as RunFinding, Run } from "../../program/run-types.ts";
@@ -98,11 +99,29 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
   }
 }
 
-/** A place of the working plane; the moment is in the middle of the block, or behind the one before where that has no way of its own. */
-function spotInPlane({ plane }: Run, x: number, y: number, block: number | null): Unmarked {
-  const place = partPoint({ x, y }), own = plane.findIndex((s) => s.block === block);
-  const position = own < 0 ? { step: 1 + plane.findLastIndex((s) => s.block < (block ?? 0)), fraction: 0 } : { step: own, fraction: 0.5 };
-  return { plane: "XY", kind: "finding", place, bounds: roundPoint(place), position };
+/** Mills are seen whole beside what they cut: this many radii round the place. */
+const RADII = 3;
+
+/** A place of the working plane; the moment is when the block comes nearest to it, or behind the one before where that has no way. */
+function spotInPlane({ plane: steps }: Run, x: number, y: number, block: number | null): Unmarked {
+  const place = partPoint({ x, y });
+  let [best, gap] = [-1, Infinity];
+  steps.forEach((s, i) => {
+    const far = s.block === block ? plane.distanceTo(wayOf(s), { x, y }) : Infinity;
+    if (far < gap) [best, gap] = [i, far];
+  });
+  const own = steps[best], before = steps.findLastIndex((s) => s.block < (block ?? 0)),
+    around = RADII * ((own ?? steps[before])?.radius ?? 0);
+  const position = own ? { step: best, fraction: shareOf(wayOf(own), { x, y }) } : { step: before + 1, fraction: 0 };
+  const { left, right, low, high } = roundPoint(place);
+  const bounds = { left: left - around, right: right + around, low: low - around, high: high + around };
+  return { plane: "XY", kind: "finding", place, bounds, position };
+}
+
+/** The share of a way at which it is nearest to a point: not its very end, which is the beginning of the next. */
+function shareOf(way: PlaneSegment, to: PlanePoint): number {
+  const long = plane.lengthOf(way);
+  return long < JOINED ? 0 : Math.min(0.999, plane.along(way, plane.nearestOn(way, to)) / long);
 }
 
 /** Where a tool of a mill, an approach or a departure cuts its contour; null for findings without a place. */
