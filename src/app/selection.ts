@@ -6,7 +6,8 @@ import { choiceOfMilled, milledBy, planeBegin } from "../program/plane-index.ts"
 import type { Run } from "../program/run-types.ts";
 import type { PlayPosition } from "../sim/simulation.ts";
 import { showChoice } from "./approach/shown-view.ts";
-import { chooseElement, contourReading, useContourPlace } from "./contour/contour-place.ts";
+import { readRows } from "../program/contour-rows.ts";
+import { chooseElement, useContourPlace } from "./contour/contour-place.ts";
 import { playback } from "./playback.ts";
 import { NOTHING_SELECTED, useSelection, type Selection } from "./selected.ts";
 import { useEditor } from "./store.ts";
@@ -49,12 +50,12 @@ export function chooseMilled(run: Run, position: PlayPosition): void {
 /** The segments of a job's contour that a row of its table makes. */
 function choiceOfElement(rows: readonly ContourRow[], id: string): PathChoice {
   const row = rows.findIndex((each) => each.id === id);
-  return { kind: "segments", segments: contourReading(rows).rowOfSegment.flatMap((of, segment) => (of === row ? [segment] : [])) };
+  return { kind: "segments", segments: readRows(rows).rowOfSegment.flatMap((of, segment) => (of === row ? [segment] : [])) };
 }
 
 /** The row of a job's contour table whose element is nearest to a place of the picture within `reach`, by its id. */
 export function elementNear(rows: readonly ContourRow[], place: Segment["from"], reach: number): string | null {
-  const { rowOfSegment, contour: { segments } } = contourReading(rows);
+  const { rowOfSegment, contour: { segments } } = readRows(rows);
   const far = segments.map((segment) => part.distanceTo(segment, place));
   const nearest = Math.min(Infinity, ...far);
   return nearest > reach ? null : (rows[rowOfSegment[far.indexOf(nearest)] ?? -1]?.id ?? null);

@@ -51,8 +51,16 @@ function fieldOf(found: Issue): RowField | null {
   return found.data.quantity === "radius" ? "r" : found.data.quantity;
 }
 
-/** Reads the contour table; coordinates that are not typed are solved where the others allow it. */
+const known = new WeakMap<readonly ContourRow[], RowsReading>();
+
+/** Reads the contour table, once per state of it; coordinates that are not typed are solved where the others allow it. */
 export function readRows(rows: readonly ContourRow[]): RowsReading {
+  const read = known.get(rows) ?? readAnew(rows);
+  known.set(rows, read);
+  return read;
+}
+
+function readAnew(rows: readonly ContourRow[]): RowsReading {
   const reader: RowReader = { x: null, z: null, pole: null, issues: [] };
   const poles: (Pt | null)[] = [];
   const given = rows.map((row, i) => {

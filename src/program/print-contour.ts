@@ -71,8 +71,14 @@ function statement(row: ContourRow, reading: RowReading | undefined): Statement[
 /** Whether a row stands in the program. */
 export const hasBlock = (row: ContourRow, reading: RowReading | undefined): boolean => statement(row, reading).length > 0;
 
-/** The blocks of a contour table: what was typed, with the coordinates that were solved. An element that is still open has no block. */
-export function contourStatements(rows: readonly ContourRow[]): Statement[] {
-  const reading = readRows(rows);
-  return rows.flatMap((row, i) => statement(row, reading.rows[i]));
+const known = new WeakMap<readonly ContourRow[], readonly Statement[]>();
+
+/**
+ * The blocks of a contour table, made once per state of it: what was typed, with the coordinates that were solved. An element that is still
+ * open has no block.
+ */
+export function contourStatements(rows: readonly ContourRow[]): readonly Statement[] {
+  const reading = readRows(rows), made = known.get(rows) ?? rows.flatMap((row, i) => statement(row, reading.rows[i]));
+  known.set(rows, made);
+  return made;
 }

@@ -4,7 +4,8 @@ import type { Language } from "../../i18n/languages.ts";
 import type { ContourRow } from "../../program/job.ts";
 import { texts } from "../settings/loaded-texts.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
-import { chooseElement, contourReading, goToElement, useChosenRow } from "./contour-place.ts";
+import { readRows } from "../../program/contour-rows.ts";
+import { chooseElement, goToElement, useChosenRow } from "./contour-place.ts";
 import { DxfImport } from "./DxfImport.tsx";
 import { FaultList } from "./FaultList.tsx";
 import { withRow, type Edited } from "./row-edits.ts";
@@ -23,7 +24,7 @@ interface Props {
 /** The contour on the large canvas, with its dimensions; its table stands beside it. */
 export function ContourStage({ rows, blank, language, onChange, lead }: Props) {
   const t = texts(language).contour;
-  const reading = contourReading(rows), active = useChosenRow(rows);
+  const reading = readRows(rows), active = useChosenRow(rows);
   const [said, setSaid] = useState({ text: "", times: 0 });
   const edited = (next: Edited) => {
     if (next.rows === rows) return;

@@ -1,11 +1,12 @@
 import { useEffect, useEffectEvent, useRef, useState } from "react";
 import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
+import { readRows } from "../../program/contour-rows.ts";
 import type { ContourRow } from "../../program/job.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
 import { ContourLine } from "./ContourLine.tsx";
 import { RowTools } from "./RowTools.tsx";
-import { chooseElement, contourReading, useChosenRow, useContourPlace } from "./contour-place.ts";
+import { chooseElement, useChosenRow, useContourPlace } from "./contour-place.ts";
 import { cornerOf, cornerRowOf, type CornerKind } from "./drawing-edits.ts";
 import { DxfImport } from "./DxfImport.tsx";
 import { FaultList } from "./FaultList.tsx";
@@ -31,7 +32,7 @@ export function ContourTable({ rows, onChange, language, apart = false }: Props)
   const [said, setSaid] = useState({ text: "", times: 0 });
   /** Says what was done, also when the same is done again. */
   const say = (text: string) => setSaid((old) => ({ text, times: old.times + 1 }));
-  const reading = contourReading(rows);
+  const reading = readRows(rows);
   const focusRow = useRowFocus(table);
   const uses = rows.some((r) => r.angle !== "" || r.length !== "" || r.tangent);
   const [wanted, setWanted] = useState(uses);

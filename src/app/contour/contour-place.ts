@@ -1,5 +1,4 @@
 import { create } from "zustand";
-import { readRows, type RowsReading } from "../../program/contour-rows.ts";
 import type { ContourRow } from "../../program/job.ts";
 
 /** What the middle of the page shows while a contour is edited. */
@@ -26,13 +25,4 @@ export function useChosenRow(rows: readonly ContourRow[]): number | null {
   const chosen = useContourPlace((p) => p.chosen);
   const found = rows.findIndex((r) => r.id === chosen);
   return found >= 0 ? found : rows.length > 0 ? 0 : null;
-}
-
-const read = new WeakMap<readonly ContourRow[], RowsReading>();
-
-/** The rows as they are read, once per state of the table: drawing, table and findings look at the same. */
-export function contourReading(rows: readonly ContourRow[]): RowsReading {
-  const known = read.get(rows) ?? readRows(rows);
-  read.set(rows, known);
-  return known;
 }

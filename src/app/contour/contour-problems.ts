@@ -1,8 +1,7 @@
 import type { Issue } from "../../kernel/issue.ts";
-import type { RowIssue } from "../../program/contour-rows.ts";
+import { readRows, type RowIssue } from "../../program/contour-rows.ts";
 import type { ContourRow } from "../../program/job.ts";
 import { hasBlock } from "../../program/print-contour.ts";
-import { contourReading } from "./contour-place.ts";
 
 /** Findings that only the table knows: in the program text an open or unreadable element does not stand at all. */
 const ONLY_HERE: ReadonlySet<Issue["code"]> = new Set<Issue["code"]>([
@@ -20,7 +19,7 @@ const read = new WeakMap<readonly ContourRow[], readonly Issue[]>();
 export function contourProblems(rows: readonly ContourRow[]): readonly Issue[] {
   const known = read.get(rows);
   if (known) return known;
-  const reading = contourReading(rows);
+  const reading = readRows(rows);
   const isMissing = ({ row, issue }: RowIssue) => {
     const typed = rows[row];
     return issue.code === "contourPoint" && issue.severity === "error" && typed !== undefined && !hasBlock(typed, reading.rows[row]);

@@ -8,16 +8,10 @@ import { knownParameters } from "../../program/job-parameters.ts";
 import { SETUP_FIELDS } from "../../program/setup-fields.ts";
 import type { JobReading } from "../reading.ts";
 
-const read = new WeakMap<Job["contour"], Given["contour"]>();
-
-/** The contour of the table, read once per state of the table. */
+/** The contour of the table. */
 function contourOf(rows: Job["contour"]): Given["contour"] {
-  const known = read.get(rows);
-  if (known !== undefined) return known;
   const { segments } = readRows(rows).contour;
-  const contour = segments.length > 0 ? segments : null;
-  read.set(rows, contour);
-  return contour;
+  return segments.length > 0 ? segments : null;
 }
 
 /** The start point as typed; null as long as it is no place. */

@@ -1,4 +1,5 @@
-import { below, firstSpan, valueAt, type Envelope, type Interval, type Span } from "../envelope.ts";
+import { below } from "../below.ts";
+import { firstSpan, valueAt, type Envelope, type Interval, type Span } from "../envelope.ts";
 import type { Flat } from "../flat.ts";
 import { ROUND, SAME } from "../tolerance.ts";
 

@@ -1,6 +1,7 @@
 import { extent, grown, grownRound, inFrame, type Convex } from "../convex.ts";
 import { besideAt } from "../cut-envelope.ts";
-import { below, higherOf, linePiece, pathAlong, upperEnvelope, type Envelope, type Origin, type EnvelopePiece } from "../envelope.ts";
+import { below } from "../below.ts";
+import { higherOf, linePiece, pathAlong, upperEnvelope, type Envelope, type Origin, type EnvelopePiece } from "../envelope.ts";
 import { flat, normalAt, segmentToPart, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { positive } from "../geometry/segments.ts";
 import { insertShape, isBar, noseRadius } from "../insert.ts";

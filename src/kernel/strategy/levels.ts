@@ -1,4 +1,5 @@
-import { below, heightAt, higherOf, highest, linePiece, pathAlong, upperEnvelope, type Envelope, type Interval,
+import { below } from "../below.ts";
+import { heightAt, higherOf, highest, linePiece, pathAlong, upperEnvelope, type Envelope, type Interval,
   type Origin } from "../envelope.ts";
 import type { FlatSegment } from "../flat.ts";
 import type { Move } from "../move.ts";

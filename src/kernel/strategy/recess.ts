@@ -1,4 +1,5 @@
-import { below, lowest, type Interval } from "../envelope.ts";
+import { below } from "../below.ts";
+import { lowest, type Interval } from "../envelope.ts";
 import { toPart, type Flat } from "../flat.ts";
 import { cuttingWidth, isBar, noseRadius } from "../insert.ts";
 import { issue, type Issue } from "../issue.ts";

@@ -1,4 +1,5 @@
-import { below, highest, lowest, type Envelope, type Interval } from "../envelope.ts";
+import { below } from "../below.ts";
+import { highest, lowest, type Envelope, type Interval } from "../envelope.ts";
 import { SAME } from "../tolerance.ts";
 
 /** A side of a section: where its wall begins, and how high the material beside it is cut away before. */
