@@ -46,8 +46,8 @@ export interface MilledScene {
 
 /** What the canvases show, kept from one scene to the next. */
 export interface MilledMemory {
-  /** For what camera, and on what part of the picture; null where that is not what is to be seen any more. */
-  painted: { readonly camera: Camera; readonly origin: Patch } | null;
+  /** For what camera and how finely, and on what part of the picture; null where that is not what is to be seen any more. */
+  painted: { readonly camera: Camera; readonly ratio: number; readonly origin: Patch } | null;
 }
 
 /** The open work by its version, when it is the one whose milling is shown: the worker has it. */
@@ -79,18 +79,18 @@ export function followMilled({ over, given, holder }: MilledCanvases, scene: Mil
     const of = knownOf(steps);
     return of && ((engine, ...asked) => engine.playMilling(of, ...asked));
   });
-  let { camera, origin } = memory.painted ?? { camera: viewport.drawn(), origin: NOWHERE }, ratio = devicePixelRatio;
+  let { camera, origin, ratio } = memory.painted ?? { camera: viewport.drawn(), origin: NOWHERE, ratio: viewport.ratio() };
   let shows: "own" | "given" | "played" = given.style.visibility === "" ? "given" : "own";
   /** The camera for which the worker is painting, and how far the stock was cut that was painted. */
   let awaited: Camera | null = null, reached = 0;
   const look = (): MilledLook => ({ camera, colours, tones, ratio, origin });
   const nextLook = (): MilledLook => {
-    const next = viewport.drawn(), room = drawnRoom(viewport.size()), dots = devicePixelRatio;
+    const next = viewport.drawn(), room = drawnRoom(viewport.size()), dots = viewport.ratio();
     return { ...look(), camera: next, ratio: dots, origin: (blank && patchWithin(patchOf(blank, next, dots), room)) ?? NOWHERE };
   };
   const turn = () => {
     ({ camera, ratio, origin } = nextLook());
-    memory.painted = { camera, origin };
+    memory.painted = { camera, origin, ratio };
     reached = stock.reached();
   };
   const shift = () => {
@@ -104,7 +104,7 @@ export function followMilled({ over, given, holder }: MilledCanvases, scene: Mil
   /** Before anything is painted on what the worker has given, it is copied. */
   const own = () => {
     if (shows === "given") {
-      fitCanvas(over, origin);
+      fitCanvas(over, origin, ratio);
       pen.setTransform(1, 0, 0, 1, 0, 0);
       pen.drawImage(given, 0, 0);
       shift();
@@ -116,7 +116,7 @@ export function followMilled({ over, given, holder }: MilledCanvases, scene: Mil
     played.stop();
     painter.goTo(playback.shown());
     turn();
-    fitCanvas(over, origin);
+    fitCanvas(over, origin, ratio);
     painter.all(pen, look());
     show("own");
     shift();
@@ -127,7 +127,7 @@ export function followMilled({ over, given, holder }: MilledCanvases, scene: Mil
     played.stop();
     painter.goTo(position);
     turn();
-    fitCanvas(given, origin);
+    fitCanvas(given, origin, ratio);
     frame.transferFromImageBitmap(picture);
     show("given");
     shift();

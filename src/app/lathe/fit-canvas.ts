@@ -8,10 +8,10 @@ export function layOver({ style }: HTMLCanvasElement, { x, y, width, height }: P
   style.height = `${height}px`;
 }
 
-/** The same, with the pixels of the device. */
-export function fitCanvas(element: HTMLCanvasElement, part: Patch): void {
+/** The same, with so many pixels for each point of the page. */
+export function fitCanvas(element: HTMLCanvasElement, part: Patch, ratio: number): void {
   const { width, height } = part;
-  const [wide, tall] = [Math.round(width * devicePixelRatio), Math.round(height * devicePixelRatio)];
+  const [wide, tall] = [Math.round(width * ratio), Math.round(height * ratio)];
   if (element.width !== wide || element.height !== tall) {
     element.width = wide;
     element.height = tall;

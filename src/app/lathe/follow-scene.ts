@@ -84,13 +84,13 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
   const box = boundsOf(blanks.flat()), widest = { outer: farthest(blanks), along: 0 };
   const painter = stockPainter(moving ?? untouchedRun(blank)), playback = moving?.playback;
   const played = moving ? playedLayer(holder, moving.playback, () => playedSteps(moving.steps)) : null;
-  let camera = viewport.drawn(), room = drawnRoom(viewport.size()), ratio = devicePixelRatio, work: Patch = NOWHERE, ground = SPECK;
+  let camera = viewport.drawn(), room = drawnRoom(viewport.size()), ratio = viewport.ratio(), work: Patch = NOWHERE, ground = SPECK;
   /** The camera for which the worker is painting. */
   let awaited: Camera | null = null;
   const look = (): StockLook => ({ section, chuck, camera, colours, ratio, origin: work, ground, room });
   /** What is to be painted where the picture is to be drawn for. */
   const nextLook = (): StockLook => {
-    const next = { ...look(), camera: viewport.drawn(), room: drawnRoom(viewport.size()), ratio: devicePixelRatio };
+    const next = { ...look(), camera: viewport.drawn(), room: drawnRoom(viewport.size()), ratio: viewport.ratio() };
     return {
       ...next,
       origin: (box && patchWithin(turnedPatchOf(box, next.camera, widest, next.ratio), next.room)) ?? NOWHERE,
@@ -115,7 +115,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
   const own = () => {
     if (shows === "own") return;
     if (shows === "given") {
-      fitCanvas(over, work);
+      fitCanvas(over, work, ratio);
       pen.setTransform(1, 0, 0, 1, 0, 0);
       pen.drawImage(given, 0, 0);
     }
@@ -128,7 +128,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     const seen = groundKey();
     if (seen === memory.ground) return;
     memory.ground = seen;
-    fitCanvas(under, ground);
+    fitCanvas(under, ground, ratio);
     const easel = new OffscreenCanvas(under.width, under.height), below = easel.getContext("2d");
     if (below) paintShop(below, look());
     shop.transferFromImageBitmap(easel.transferToImageBitmap());
@@ -144,7 +144,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     if (looks.every((each, i) => each === memory.work[i])) return;
     memory.work = looks;
     show("own");
-    fitCanvas(over, work);
+    fitCanvas(over, work, ratio);
     painter.all(pen, look());
   };
   /** Shows what the worker has painted. */
@@ -154,9 +154,9 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     painter.goTo(position);
     turn();
     [memory.ground, memory.work] = [groundKey(), workKey()];
-    fitCanvas(under, ground);
+    fitCanvas(under, ground, ratio);
     shop.transferFromImageBitmap(around);
-    fitCanvas(given, work);
+    fitCanvas(given, work, ratio);
     frame.transferFromImageBitmap(stock);
     show("given");
     if (playback?.shown() !== position) paintMoved();

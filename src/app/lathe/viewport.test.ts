@@ -80,3 +80,25 @@ test("a shifted drawing lies where it would be drawn", () => {
   expect(413.7 * grown + x).toBeCloseTo(wantedX, 9);
   expect(99.1 * grown + y).toBeCloseTo(wantedY, 9);
 });
+
+test("what is painted under a moving hand has a pixel a point, and those of the screen when it rests", () => {
+  vi.stubGlobal("devicePixelRatio", 2.5);
+  const { viewport } = opened(), heard: (readonly [ratio: number, isNew: boolean])[] = [];
+  let drawn = viewport.drawn();
+  viewport.subscribe(() => {
+    heard.push([viewport.ratio(), viewport.drawn() !== drawn]);
+    drawn = viewport.drawn();
+  });
+  expect(viewport.ratio()).toBe(2.5);
+  for (let move = 0; move < 2; move += 1) viewport.zoom(1.29);
+  vi.advanceTimersByTime(500);
+  // The second is drawn anew, and the rest once more, though the camera has not moved since.
+  expect(heard).toEqual([[2.5, false], [1, true], [2.5, true]]);
+  viewport.zoom(1.11);
+  expect(viewport.ratio()).toBe(2.5);
+  viewport.zoom(7);
+  expect(viewport.ratio()).toBe(1);
+  viewport.fit();
+  expect(viewport.ratio()).toBe(2.5);
+  vi.unstubAllGlobals();
+});

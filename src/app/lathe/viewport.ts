@@ -11,6 +11,11 @@ export interface Viewport {
    * picture looks now; it catches up when the hand rests, or looks where nothing is drawn.
    */
   readonly drawn: () => Camera;
+  /**
+   * Pixels for each point of the page in a canvas that is painted for that camera. What has to be painted under a moving hand has one at
+   * most: a canvas is copied to be seen, and that of a fine screen is copied too long. At rest it is painted anew.
+   */
+  readonly ratio: () => number;
   readonly size: () => Size;
   readonly subscribe: (listener: () => void) => () => void;
   /** Looks elsewhere, by hand: from now on the picture is not fitted by itself. */
@@ -31,6 +36,9 @@ const RESTS = 140;
 const AROUND = 0.2;
 /** Shifted pixels may grow so much. */
 const GROWS = 1.6;
+
+/** Pixels for each point in what is painted while a hand moves the picture. */
+const COARSE = 1;
 
 /** Every device has whole pixels for so many of the page. */
 const WHOLE = 4;
@@ -82,17 +90,21 @@ export function createViewport(xUp: boolean): Viewport {
   let byHand = false;
   let camera = fitted(bounds, size, marginOf(size), xUp);
   const listeners = new Set<() => void>();
-  let drawn = camera, rest: ReturnType<typeof setTimeout> | undefined;
+  let drawn = camera, isCoarse = false, rest: ReturnType<typeof setTimeout> | undefined;
   const set = (next: Camera, stays: Camera | null = null) => {
     clearTimeout(rest);
     camera = next;
     drawn = stays ?? next;
+    if (!stays) isCoarse = false;
     for (const listener of [...listeners]) listener();
   };
   const setByHand = (next: Camera) => {
     byHand = true;
-    set(next, does(drawn, next, size) ? drawn : null);
-    if (drawn !== camera) rest = setTimeout(() => set(camera), RESTS);
+    const stays = does(drawn, next, size);
+    if (!stays) isCoarse = true;
+    set(next, stays ? drawn : next);
+    // What is drawn for a camera is told apart by it.
+    if (isCoarse || drawn !== camera) rest = setTimeout(() => set(isCoarse ? { ...camera } : camera), RESTS);
   };
   const refit = () => {
     shown = bounds;
@@ -102,6 +114,7 @@ export function createViewport(xUp: boolean): Viewport {
   return {
     get: () => camera,
     drawn: () => drawn,
+    ratio: () => (isCoarse ? Math.min(COARSE, devicePixelRatio) : devicePixelRatio),
     size: () => size,
     subscribe(listener) {
       listeners.add(listener);
