@@ -24,6 +24,15 @@ export class Lathe {
     return this.view.getByRole("combobox", { name: this.context.t.lathe.sections.title, exact: true });
   }
 
+  /** Shows the work cut, from outside or in space; where there is little room the choice is behind a button, and goes there again. */
+  async shows(view: string): Promise<void> {
+    const fold = this.view.getByRole("button", { name: this.context.t.lathe.viewTools, exact: true }),
+      folded = !(await this.section.isVisible());
+    if (folded) await fold.click();
+    await this.section.selectOption(view);
+    if (folded && await this.section.isVisible()) await fold.click();
+  }
+
   /** What is told by colour along path or surface. */
   get colours(): Locator {
     return this.view.getByRole("combobox", { name: this.context.t.lathe.colours.title, exact: true });

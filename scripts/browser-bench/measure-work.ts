@@ -111,12 +111,12 @@ export async function measurePlaying(bench: Bench, work: MeasuredWork, rate: num
 
 /** Whatever is measured meanwhile is seen in space; afterwards the section is back. */
 async function inSpace<Result>({ page, turnwise: { lathe } }: Bench, measure: () => Promise<Result>): Promise<Result> {
-  await lathe.section.selectOption("solid");
+  await lathe.shows("solid");
   await page.waitForSelector(".solid-field > canvas");
   // The library is fetched and its programs are made ready with the first picture.
   await page.waitForTimeout(5 * SETTLE);
   const result = await measure();
-  await lathe.section.selectOption("half");
+  await lathe.shows("half");
   return result;
 }
 

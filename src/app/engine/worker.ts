@@ -5,6 +5,7 @@ import type { MilledLook } from "../../view/approach/milled-painter.ts";
 import type { StockLook } from "../../view/material/stock-painter.ts";
 import { stopwatch } from "../clock.ts";
 import type { advice } from "./advice.ts";
+import type { BodiesGiven, BodiesWanted } from "./bodies.ts";
 import { engine, makersAgain } from "./engine.ts";
 import { loadRequestOf, type KnownMilling, type KnownOutcome, type LoadRequest } from "./load-request.ts";
 import type { Outcome, Stage } from "./outcome.ts";
@@ -82,6 +83,13 @@ const served = {
     if (!outcome || !knownRequest(of)) return null;
     const made = (await fetchPlayed()).stockPictures(outcome, look, position);
     return transfer(made, [made.work, made.shop]);
+  },
+  /** The turned bodies of the newest outcome at a moment; null when it is not the one that is asked for. */
+  async bodies(of: KnownOutcome, wanted: BodiesWanted): Promise<BodiesGiven | null> {
+    const { turnedBodies, buffersOf } = await import("./bodies.ts"), outcome = newest;
+    if (!outcome || !knownRequest(of)) return null;
+    const made = turnedBodies(outcome, wanted);
+    return made === "same" ? made : transfer(made, buffersOf(made));
   },
   /** Paints what is milled of the newest outcome while it plays; false when it cannot. */
   async playMilling(of: KnownMilling, on: PlayedOn, look: MilledLook, course: PlayedCourse): Promise<boolean> {

@@ -2,20 +2,20 @@ import type { Ring, Segment } from "../../kernel/point.ts";
 import type { Step } from "../../kernel/step.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import type { SpindleFrom } from "../../sim/load/spindles.ts";
-import type { Simulation } from "../../sim/simulation.ts";
+import type { PlayPosition, Simulation } from "../../sim/simulation.ts";
 import { boundsOf, joined } from "../../view/bounds.ts";
 import type { Bounds, Size } from "../../view/camera.ts";
 import { statedSteps } from "../../view/solid/bodies.ts";
-import { finishOf } from "../../view/solid/finish.ts";
 import { chuckParts, toolParts } from "../../view/solid/furniture.ts";
-import { bodiesAt } from "../../view/solid/moment.ts";
 import { chordsFor } from "../../view/solid/revolve.ts";
-import type { ThreadTurning } from "../../view/solid/threaded.ts";
+import { shownBodies, type BodiesAsked, type ShownBodies, type SolidTold } from "../../view/solid/shown-bodies.ts";
 import { runThreads, type RunThreads } from "../../view/solid/thread-cuts.ts";
-import { UNTOUCHED, type Texture } from "../../view/material/surfaces.ts";
+import { UNTOUCHED } from "../../view/material/surfaces.ts";
 import { tipAt } from "../../view/tip.ts";
 import { stopwatch, type Clock } from "../clock.ts";
 import { stepIndex, type Moving, type Waiting } from "../lathe/moving.ts";
+import { knownOf } from "../lathe/played-layer.ts";
+import { bodySource, isSameTold } from "./body-source.ts";
 import type { Eye } from "./eye.ts";
 import type { StageLines } from "./path-stage.ts";
 import { createSharpness } from "./sharpness.ts";
@@ -33,13 +33,6 @@ export interface ShownWork {
   readonly contours: readonly (readonly Segment[])[];
 }
 
-/** What is to be said of what is seen. */
-export interface SolidTold {
-  /** Threads are drawn as rings, because they cannot be drawn as helices. */
-  readonly rings: boolean;
-  readonly leftHanded: boolean;
-  readonly textures: readonly Texture[];
-}
 export const NOTHING_TOLD: SolidTold = { rings: false, leftHanded: false, textures: [] };
 
 /** Brings work and eye onto a stage, and draws only when something has changed. */
@@ -68,9 +61,6 @@ const THREAD = { within: 0.015, resting: 90_000, playing: 30_000 } as const;
 
 const nothingMoves = (): readonly Ring[] => [];
 
-const isSameTold = (a: SolidTold, b: SolidTold) =>
-  a.rings === b.rings && a.leftHanded === b.leftHanded && a.textures.join() === b.textures.join();
-
 /** `tell` hears what is to be said of what is seen, whenever that changes. */
 export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (told: SolidTold) => void): Show {
   let work: ShownWork | null = null;
@@ -78,6 +68,9 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
   let [quarterCut, xDown] = [true, false];
   let [box, seen]: [Bounds | null, Bounds | null] = [null, null];
   let [drawnRings, drawnKey, drawnTool]: [readonly Ring[], string, Tool | null] = [[], "", null];
+  /** The moment whose stock is seen, and how. */
+  let seenAt: { readonly moving: Moving; readonly position: PlayPosition; readonly look: string } | null = null;
+  const source = bodySource();
   let [builtAt, cost] = [-Infinity, 0];
   let canvas: { readonly size: Size; readonly below: number } = { size: eye.size(), below: 0 };
   let [asked, changed]: [(() => void) | null, boolean] = [null, true];
@@ -92,35 +85,63 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
   const sharpRatio = ({ width, height }: Size) =>
     Math.min(devicePixelRatio, PIXELS.ratio, Math.sqrt(PIXELS.most / Math.max(1, width * height)));
 
-  /** Where X grows downwards the picture is a mirror image, in which a right-handed thread is made left-handed. */
-  const threading = (chords: number): ThreadTurning => ({
-    chords,
-    quarterCut,
-    hand: xDown ? -1 : 1,
-    within: THREAD.within,
-    most: playing() ? THREAD.playing : THREAD.resting,
-  });
+  const atOf = (moving: Moving | null): PlayPosition => moving?.playback.shown() ?? { step: 0, fraction: 0 };
 
-  /** Builds the bodies of the moment, unless they are the ones that are there. */
-  function build(): void {
-    changed = false;
-    if (!work) return;
-    const { moving, simulation, waiting } = work, position = moving?.playback.shown() ?? { step: 0, fraction: 0 };
-    const rings = moving ? moving.stockAt(position) : waiting?.blank ?? nothingMoves();
-    const high = box?.high ?? 1, chords = playing() ? Math.min(QUICK, chordsFor(high)) : chordsFor(high);
+  function draw({ bodies, told: now }: ShownBodies): void {
+    stage.setBodies(bodies);
+    if (!isSameTold(now, told)) tell(told = now);
+  }
+
+  /** How a moment is to be seen; `look` names all of it that is no stock. Where X grows downwards the picture is a mirror image. */
+  function wanted({ moving, simulation, steps }: ShownWork) {
+    const position = atOf(moving), high = box?.high ?? 1, chords = playing() ? Math.min(QUICK, chordsFor(high)) : chordsFor(high);
     const faults = simulation?.findings.filter((f) => f.step < position.step || (f.step === position.step && position.fraction > 0)).length
       ?? 0;
-    const key = [chords, quarterCut, xDown, faults, position.step >= work.steps.length, playing() || position.step].join();
-    if (rings !== drawnRings || key !== drawnKey) {
-      const size = box ? Math.max(box.right - box.left, box.high) : 1;
-      const moment = { stock: rings, simulation: moving && simulation, threads, position, size };
-      const finish = finishOf(rings, moving?.surfaces ?? UNTOUCHED, position);
-      const { bodies, hasRings, hasLeft } = bodiesAt(moment, { ...threading(chords), finish });
-      stage.setBodies(bodies);
-      const now: SolidTold = { rings: hasRings, leftHanded: hasLeft, textures: finish.textures };
-      if (!isSameTold(now, told)) tell(told = now);
-      [drawnRings, drawnKey] = [rings, key];
-    }
+    const look = [chords, quarterCut, xDown].join(), moment = [faults, position.step >= steps.length, playing() || position.step].join();
+    const asked: BodiesAsked = {
+      position,
+      size: box ? Math.max(box.right - box.left, box.high) : 1,
+      turning: {
+        chords,
+        quarterCut,
+        hand: xDown ? -1 : 1,
+        within: THREAD.within,
+        most: playing() ? THREAD.playing : THREAD.resting,
+      },
+    };
+    return { look, key: `${look} ${moment}`, asked };
+  }
+
+  /** Builds the bodies of the moment on the page, unless they are the ones that are there. */
+  function buildHere(of: ShownWork): void {
+    const { moving, simulation, waiting } = of, { look, key, asked } = wanted(of), { position } = asked;
+    const rings = moving ? moving.stockAt(position) : waiting?.blank ?? nothingMoves();
+    // Of a run that is only planned the stock of before is seen, with its threads and colours.
+    const stands = moving && !simulation && seenAt?.look === look && seenAt.moving.stockAt(seenAt.position) === rings;
+    if (stands || (rings === drawnRings && key === drawnKey)) return;
+    source.forget();
+    draw(shownBodies(rings, { simulation: moving && simulation, threads, surfaces: moving?.surfaces ?? UNTOUCHED }, asked));
+    [drawnRings, drawnKey] = [rings, key];
+    seenAt = moving && { moving, position, look };
+  }
+
+  /** Has the bodies of the moment made, in the worker where that knows the work. */
+  function build(): void {
+    changed = false;
+    const now = work, moving = now?.moving ?? null;
+    const known = now?.simulation && moving && clock.flows ? knownOf(moving.steps) : null;
+    if (!now) return;
+    if (!known || !moving) return buildHere(now);
+    const { look, key, asked } = wanted(now), { position } = asked;
+    source.ask(known, { ...asked, look: key }, (made) => {
+      if (!made) buildHere(now);
+      else {
+        if (made !== "same") draw(made);
+        [drawnRings, drawnKey] = [[], ""];
+        seenAt = { moving, position, look };
+      }
+      ask();
+    });
   }
 
   function placeTool(): void {
@@ -154,7 +175,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
     asked = null;
     const begun = stopwatch();
     const took = mind(begun);
-    if (changed && (!playing() || begun - builtAt > PAUSE * cost)) {
+    if (changed && !source.isAsked() && (!playing() || begun - builtAt > PAUSE * cost)) {
       build();
       builtAt = stopwatch();
       cost = builtAt - begun;
@@ -163,7 +184,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
     const { centre } = eye.get(), wide = box ? Math.hypot(box.right - box.left, box.high) : 1;
     const tip = work?.moving && tipAt(work.moving.steps, work.moving.playback.shown());
     stage.draw(eye.get(), eye.size(), 2 * wide + Math.hypot(centre[2], centre[1], centre[0]) + (tip ? Math.hypot(tip.z, tip.r) : 0));
-    if (changed) ask();
+    if (changed && !source.isAsked()) ask();
     clearTimeout(resting);
     if (coarse < 1) resting = setTimeout(sharpen, Math.max(REST.ms, REST.times * took));
   }
@@ -200,6 +221,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
         ? runThreads(next.steps, moving.stockAt, { stated: statedSteps(simulation), spindles: next.spindles })
         : null;
       [drawnRings, drawnKey] = [[], ""];
+      source.forget();
       const chuck = chuckParts(next.blank, next.steps, next.contours);
       stage.setChuck(chuck?.parts ?? []);
       box = joined(boundsOf(next.blank.flat()), boundsOf(next.contours.flat().flatMap((s) => [s.from, s.to])));
@@ -231,6 +253,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
     refresh: changeWork,
     end() {
       deaf();
+      source.forget();
       for (const stop of heard) stop();
       clearTimeout(resting);
       asked?.();

@@ -1,5 +1,5 @@
 import { AmbientLight, BufferAttribute, BufferGeometry, DirectionalLight, Group, LineBasicMaterial, LineSegments, Mesh as Triangles,
-  MeshPhongMaterial, PerspectiveCamera, Scene as Space, WebGLRenderer, type Material } from "three";
+  MeshPhongMaterial, PerspectiveCamera, Scene as Space, Sphere, WebGLRenderer, type Material } from "three";
 import type { Chip } from "../../sim/chip/chip.ts";
 import type { Size } from "../../view/camera.ts";
 import type { DrawnPart } from "../../view/solid/furniture.ts";
@@ -75,6 +75,8 @@ function geometryOf({ positions, normals, index, looks }: Mesh): BufferGeometry 
 const shaded = (shininess: number, specular: number) =>
   new MeshPhongMaterial({ shininess, specular, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
 
+const EVERYWHERE = new Sphere();
+
 const drawnLine = (opacity: number) => new LineBasicMaterial({ transparent: true, opacity });
 
 function clear(group: Group): void {
@@ -116,6 +118,8 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
   /** All of it is looked at: to ask whether it is in sight takes a walk over all its corners. */
   const put = (group: Group, body: Triangles | LineSegments) => {
     body.frustumCulled = false;
+    // Bodies are put in order by their distance, for which another walk over all corners would be taken.
+    (body.geometry as BufferGeometry).boundingSphere = EVERYWHERE;
     group.add(body);
   };
   const add = (group: Group, mesh: Mesh, material: Material) => {

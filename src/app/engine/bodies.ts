@@ -1,0 +1,46 @@
+import type { Ring } from "../../kernel/point.ts";
+import { playerOf } from "../../sim/stock.ts";
+import { statedSteps } from "../../view/solid/bodies.ts";
+import { buffersOf, shownBodies, type BodiesAsked, type ShownBodies, type TurnedRun } from "../../view/solid/shown-bodies.ts";
+import { runThreads } from "../../view/solid/thread-cuts.ts";
+import { surfacesOfRun } from "../lathe/moving.ts";
+import type { Outcome } from "./outcome.ts";
+
+/** What the page asks for again and again; `look` names everything besides the stock that decides how it looks. */
+export interface BodiesWanted extends BodiesAsked {
+  readonly look: string;
+  /** The page shows what it was given last: the same is not made again. */
+  readonly hasLast: boolean;
+}
+
+/** An answer: bodies, or the word that they are those of the answer before. */
+export type BodiesGiven = ShownBodies | "same";
+
+interface Turned {
+  readonly stockAt: ReturnType<typeof playerOf>["at"];
+  readonly run: TurnedRun;
+}
+const known = new WeakMap<Outcome, Turned>();
+
+function turnedOf(outcome: Outcome): Turned {
+  const have = known.get(outcome);
+  if (have) return have;
+  const { run: { steps, spindles }, simulation } = outcome;
+  // Threads ask for what stood before them: another player, so that the one that goes on with the time need not go back.
+  const threads = runThreads(steps, playerOf(simulation).at, { stated: statedSteps(simulation), spindles });
+  const made = { stockAt: playerOf(simulation).at, run: { simulation, threads, surfaces: surfacesOfRun(outcome.run) } };
+  known.set(outcome, made);
+  return made;
+}
+
+export { buffersOf };
+
+let last: { readonly outcome: Outcome; readonly rings: readonly Ring[]; readonly look: string } | null = null;
+
+/** The bodies of an outcome at a moment. */
+export function turnedBodies(outcome: Outcome, { look, hasLast, ...asked }: BodiesWanted): BodiesGiven {
+  const { stockAt, run } = turnedOf(outcome), rings = stockAt(asked.position);
+  if (hasLast && last?.outcome === outcome && last.rings === rings && last.look === look) return "same";
+  last = { outcome, rings, look };
+  return shownBodies(rings, run, asked);
+}
