@@ -23,8 +23,9 @@ function ActingWords({ cycle }: { readonly cycle: number }) {
 export function HelpSlot({ read: typed, q, onPick }: { readonly read: JobReading; readonly q: string | null;
   readonly onPick: (q: string, taken: boolean) => void })
 {
-  // What is typed is drawn on the lathe first, and here when that is on the screen.
-  const late = useLater(typed), read = late.cycle === typed.cycle ? late : typed;
+  // What is typed is drawn on the lathe first, and here when that is on the screen; so is a prompt that is opened, whose field comes first.
+  const late = useLater(typed), lateQ = useLater(q);
+  const [read, active] = late.cycle === typed.cycle ? [late, lateQ] : [typed, q];
   const language = useSettings((s) => s.language);
   const isBorrowed = read.cycle.contour === "free" && read.job.contour.length === 0;
   const given = useMemo(() => givenOf(isBorrowed ? { cycle: read.cycle, job: exampleJob(read.cycle) } : read), [isBorrowed, read]);
@@ -34,7 +35,7 @@ export function HelpSlot({ read: typed, q, onPick }: { readonly read: JobReading
   return (
     <div className="help-slot">
       <HelpPicture cycle={read.cycle} values={read.reading.values} partial={read.reading.partial as Numbers} wrong={wrong} given={given}
-        isBorrowed={isBorrowed} activeQ={q} language={language} onPick={onPick} />
+        isBorrowed={isBorrowed} activeQ={active} language={language} onPick={onPick} />
     </div>
   );
 }
