@@ -14,6 +14,7 @@ import { hatched } from "./section-material.ts";
 /** Colours of the page, by the custom properties that hold them. */
 export const STAGE_COLOURS = {
   material: "--material",
+  turned: "--steel-turned",
   hatch: "--material-hatch",
   steelDark: "--steel-dark",
   steelLight: "--steel-light",
@@ -164,7 +165,7 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       drawShare();
     },
     setColours(c) {
-      steel.colours({ steel: c.material, dark: c.steelDark, light: c.steelLight, line: c.line });
+      steel.colours({ steel: c.turned, dark: c.steelDark, light: c.steelLight, line: c.line });
       surfaces.residual.color.set(c.residual);
       surfaces.gouge.color.set(c.danger);
       surfaces.chuck.color.set(c.chuck);

@@ -34,6 +34,12 @@ test("whichever way a moment is come to, its body is the same, and a thread in i
   expect(at({ step: first, fraction: 0 }).bodies[0]?.solid.surface.index.length).toBeLessThan(1000);
 });
 
+test("a thread in a cone is a helix while its first turns are cut", () => {
+  const { at } = moments(readFileSync("tests/programs/cycle-832.h", "utf8"));
+  const moment = [0.38, 0.42, 0.46].map((fraction) => at({ step: 4, fraction }));
+  expect(moment.map(({ hasRings }) => hasRings)).toEqual([false, false, false]);
+});
+
 test("what was turned away after the thread is gone from it", () => {
   const cut = "9.1 L X+40 Z+3 FMAX\n9.2 L X+28.6 F0.2\n9.3 L Z-9.3\n9.4 L X+50\n9.5 L Z+30 FMAX\n";
   const { steps, at } = moments(printed.replace("10 L X+60", `${cut}10 L X+60`));

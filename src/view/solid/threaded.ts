@@ -23,8 +23,10 @@ export interface ThreadTurning extends Turning {
   readonly most: number;
 }
 
-/** The section of a threaded body may miss that of the stock by this much of the grooves. */
+/** The section of a threaded body may miss that of the stock by this much of the grooves, or by what flanks may lie beside all along it. */
 const AMISS = 0.03;
+const isAmiss = (area: number, grooves: number, cuts: ThreadedStock["cuts"], within: number) =>
+  Math.abs(area) > Math.max(AMISS * grooves, within * Math.max(...cuts.map(({ from, move }) => Math.abs(move.to.z - from.z)))) + SAME;
 
 type Floors = readonly ThreadFloor[];
 
@@ -232,7 +234,7 @@ export function threadedBody(
   const all = surfaces.flatMap((each) => each ?? []);
   if (all.length < surfaces.length || all.length === 0) return null;
   const upright = all.map(({ outline }) => outline(threading.chords)), [wanted, full] = [areaOf(stock), areaOf(base)];
-  if (Math.abs(areaOf(upright) - wanted) > AMISS * (full - wanted) + SAME) return null;
+  if (isAmiss(areaOf(upright) - wanted, full - wanted, cuts, threading.within)) return null;
   if (rings.length > 0) return toldApart(all, rings, floors, threading);
   const directions = directionsOf(threading.chords), { first } = spanOf(threading);
   const plain: Solid = {
