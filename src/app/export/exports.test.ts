@@ -146,6 +146,31 @@ test("threads leave as helices: half a lead on, a cut through the finished part 
   expect(volume(stock) / volume(whole)).toBeCloseTo(1, 2);
 });
 
+/** Edges of triangles that lie on one another, or have no other one that runs back. */
+function doubtfulEdges(bytes: Uint8Array<ArrayBuffer>): number {
+  const view = new DataView(bytes.buffer), count = view.getUint32(80, true), known = new Map<string, number>();
+  const corner = (t: number, k: number) => [0, 4, 8].map((n) => view.getFloat32(96 + 50 * t + 12 * k + n, true)).join(" ");
+  for (let t = 0; t < count; t += 1)
+    for (const k of [0, 1, 2]) {
+      const edge = `${corner(t, k)}|${corner(t, (k + 1) % 3)}`;
+      known.set(edge, (known.get(edge) ?? 0) + 1);
+    }
+  return [...known].filter(([edge, times]) => times !== 1 || known.get(edge.split("|").reverse().join("|")) !== 1).length;
+}
+
+test.each(["cycle-830", "cycle-831", "cycle-832", "groove-852", "shoulder-inch"])("every edge of the bodies of %s has two triangles",
+  (name) => {
+    const ran = run(parse(readFileSync(`tests/programs/${name}.h`, "utf8")), { tools: shippedTools, rapid: 8_000 });
+    const { blank, stated, steps, operations, unproved } = ran, simulation = simulate({ blank, stated, steps, operations, unproved });
+    const bodies = bodiesOf(ran, simulation, { step: steps.length, fraction: 0 });
+    for (const body of [bodies.part, bodies.blank, bodies.stock]) {
+      if (!("rings" in body)) throw new Error("there are bodies");
+      const { bytes, volume: said } = bodyStl(body, name);
+      expect(doubtfulEdges(bytes)).toBe(0);
+      expect(said).toBeGreaterThan(0);
+    }
+  });
+
 /** Two passes round one contour with a rounding, and a cycle in the same program. */
 const milling = `30 FUNCTION MODE MILL
 31 TOOL DEF 9 L+0 R+3.2

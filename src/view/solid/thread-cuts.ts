@@ -55,6 +55,8 @@ interface Group {
 
 /** Grooves are filled so much farther than they were cut, mm, that filling and stock join. */
 const JOIN = 0.01;
+/** Without gaps that are thinner than twice that. */
+const joinedUp = (area: readonly Ring[]): readonly Ring[] => offset(offset(area, JOIN), -JOIN);
 
 type ThreadStep = Step & { readonly move: ThreadMove };
 const isThread = (step: Step | undefined): step is ThreadStep => step?.move.kind === "thread";
@@ -134,7 +136,8 @@ export function runThreads(
       const begun = groups.filter(({ first }) => first >= since && (first < now.step || (first === now.step && now.fraction > 0)));
       if (begun.length === 0) return null;
       const filling = begun.flatMap((group) => [...stillThere(fillOf(group), group.first + 1, now)]);
-      const base = union(stock, within ? intersection(filling, within) : filling);
+      // What is filled up to another outline than that of the stock leaves hairs of air along it, in which a surface would lie double.
+      const base = within ? joinedUp(union(stock, intersection(filling, within))) : union(stock, filling);
       return { base, cuts: begun.flatMap(({ steps: all }) => all.flatMap((i) => cutOf(i, now))) };
     },
   };
