@@ -215,7 +215,9 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
                 <LoadPart.Mark run={run} seeing={seenFlat(viewport)} />
                 {typed && <KnownMarks viewport={viewport} known={typed} />}
                 {!typed && known && <AskedMarks viewport={viewport} known={known} />}
-                {run.steps.length > 0 && <ToolAway viewport={viewport} playback={playback} run={run} places={seen} datum={datum} />}
+                {run.steps.length > 0 && (
+                  <ToolAway viewport={viewport} playback={playback} run={run} places={seen} datum={datum} kept={measuring.labels} />
+                )}
                 {leads.length > 0 && (
                   <Suspense>
                     <TurnPoints viewport={viewport} approaches={leads} />

@@ -1,4 +1,5 @@
 import { useEffect, useMemo, useRef } from "react";
+import type { StoreApi } from "zustand";
 import { part, type Pt } from "../../kernel/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import type { Run } from "../../program/run-types.ts";
@@ -25,9 +26,12 @@ const MARK = 12;
 
 const boxRound = ({ x, y }: Place, half: number): LabelBox => ({ x: x - half, y: y - half, width: 2 * half, height: 2 * half });
 
-/** An arrow at the edge of the picture to a tool that stands outside it, with the place where it is: two short lines on a free ground. */
-export function ToolAway({ viewport, playback, run, places, datum }: { readonly viewport: Viewport; readonly playback: PlaybackStore;
-  readonly run: Run; readonly places: readonly LookAt[]; readonly datum: Pt })
+/**
+ * An arrow at the edge of the picture to a tool that stands outside it, with the place where it is: two short lines on a free ground.
+ * `kept`: room that others take.
+ */
+export function ToolAway({ viewport, playback, run, places, datum, kept }: { readonly viewport: Viewport; readonly playback: PlaybackStore;
+  readonly run: Run; readonly places: readonly LookAt[]; readonly datum: Pt; readonly kept: StoreApi<readonly LabelBox[]> })
 {
   const group = useRef<SVGGElement>(null);
   const lengths = useLengths();
@@ -86,17 +90,18 @@ export function ToolAway({ viewport, playback, run, places, datum }: { readonly 
       corner = isPhone ? { x: width - TOOLS, y: 0, width: TOOLS, height: TOOLS } : null;
       boxes = [
         ...badgesOf(places, seenFlat(viewport)).map(({ left, top }) => boxRound({ x: left, y: top }, MARK)),
+        ...kept.getState(),
         ...[datum, ...operations.map(({ start }) => start)].map((each) => boxRound(toScreen(camera, each), MARK)),
       ];
       paint();
     };
     look();
-    const ends = [viewport.subscribe(look), playback.subscribeReader(paint)];
+    const ends = [viewport.subscribe(look), playback.subscribeReader(paint), kept.subscribe(look)];
     return () => {
       ends.forEach((end) => end());
       element.style.display = "none";
     };
-  }, [run, places, datum, lines, viewport, playback, lengths]);
+  }, [run, places, datum, kept, lines, viewport, playback, lengths]);
   return (
     <g ref={group} className="tool-away" aria-hidden="true" style={{ display: "none" }}>
       <rect rx="3" />

@@ -1,4 +1,4 @@
-import { useEffectEvent, useLayoutEffect, useMemo, useState } from "react";
+import { useEffect, useEffectEvent, useLayoutEffect, useMemo, useState } from "react";
 import { useStore } from "zustand";
 import type { MeasuredPlace } from "../../kernel/measured.ts";
 import { part } from "../../kernel/point.ts";
@@ -108,6 +108,10 @@ export function MeasureLayer({ viewport, measuring, source }: { readonly viewpor
       return { id, figure, text: said?.text ?? "", caption: said?.caption ?? "", ...(put && { put }) };
     }));
   }, [camera, unit, size, isNarrow, panel, state.on, readings, words, moved]);
+  useEffect(() => {
+    measuring.labels.setState(standing.map(({ box }) => box), true);
+    return () => measuring.labels.setState([], true);
+  }, [measuring, standing]);
   const old = new Set(readings.flatMap(({ isOld, measurement: { id } }) => (isOld ? [id] : [])));
   return (
     <>

@@ -1,6 +1,7 @@
 import { useMemo, useState } from "react";
 import { createStore, useStore, type StoreApi } from "zustand";
 import type { MeasuredKind, MeasuredPlace } from "../../kernel/measured.ts";
+import type { LabelBox } from "../../view/help/labels.ts";
 import type { Touches } from "../lathe/gestures.ts";
 
 /** Where measuring is. */
@@ -44,6 +45,8 @@ export interface Measuring extends MeasureHand {
    * two presses may come before the first of them is drawn.
    */
   readonly state: StoreApi<MeasureState>;
+  /** The room that measured numbers take in the picture: what moves about there keeps off it. */
+  readonly labels: StoreApi<readonly LabelBox[]>;
   readonly choose: (kind: MeasuredKind) => void;
   readonly toggle: () => void;
   /** Takes pointers and keys over, from the tools of measuring. Gives the way to give them back. */
@@ -73,6 +76,7 @@ export function createMeasuring(): Measuring {
   };
   return {
     state,
+    labels: createStore<readonly LabelBox[]>(() => []),
     toggle,
     choose(kind) {
       if (kind !== state.getState().kind) state.setState({ kind, first: null, done: null, said: "" });
