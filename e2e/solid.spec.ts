@@ -94,3 +94,20 @@ test("the turned body in space: turned, cut open, at any moment; the section whe
   await expect(picture).toBeVisible();
   await expect(lathe.view.locator(".lathe-picture")).toHaveCount(0);
 });
+
+test("on small screens the named views can be pressed while something is told by colour", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { effect, lathe, start } = turnwise;
+  await start.beginWithExample(812);
+  await effect.proved();
+  await lathe.colours.selectOption("roughness");
+  await lathe.shows("solid");
+  const quarter = lathe.view.getByRole("button", { name: words.quarter, exact: true });
+  for (const [width, height] of [[390, 844], [844, 390], [1024, 768]] as const) {
+    await page.setViewportSize({ width, height });
+    await expect(quarter).toBeVisible();
+    const before = await quarter.getAttribute("aria-pressed");
+    await quarter.click({ timeout: 10_000 });
+    await expect(quarter).not.toHaveAttribute("aria-pressed", String(before));
+  }
+});
