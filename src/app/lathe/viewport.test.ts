@@ -100,5 +100,11 @@ test("what is painted under a moving hand has a pixel a point, and those of the 
   expect(viewport.ratio()).toBe(1);
   viewport.fit();
   expect(viewport.ratio()).toBe(2.5);
+  // So large a picture is copied too long even so.
+  viewport.setSize({ width: 2517, height: 1683 });
+  viewport.zoom(7);
+  expect(viewport.ratio()).toBe(0.5);
+  vi.advanceTimersByTime(500);
+  expect(viewport.ratio()).toBe(2.5);
   vi.unstubAllGlobals();
 });

@@ -37,8 +37,8 @@ const AROUND = 0.2;
 /** Shifted pixels may grow so much. */
 const GROWS = 1.6;
 
-/** Pixels for each point in what is painted while a hand moves the picture. */
-const COARSE = 1;
+/** What is painted while a hand moves the picture has a pixel for each point at most, and no more of them than this. */
+const COARSE = 1, MOST_COARSE = 2_500_000;
 
 /** Every device has whole pixels for so many of the page. */
 const WHOLE = 4;
@@ -54,6 +54,12 @@ function does(drawn: Camera, now: Camera, size: Size): boolean {
   const room = drawnRoom(size), { from, to, grown } = seenFrom(drawn, now, size);
   const isInside = from.x >= room.x && from.y >= room.y && to.x <= room.x + room.width && to.y <= room.y + room.height;
   return drawn.xUp === now.xUp && grown <= GROWS && isInside;
+}
+
+/** Pixels for each point under a moving hand; whole parts of a pixel stay whole. */
+function coarseRatio(size: Size): number {
+  const { width, height } = drawnRoom(size), most = Math.sqrt(MOST_COARSE / (width * height));
+  return Math.min(COARSE, devicePixelRatio, Math.max(1, Math.floor(WHOLE * most)) / WHOLE);
 }
 
 const START: Bounds = { left: -80, right: 20, low: 0, high: 40 };
@@ -114,7 +120,7 @@ export function createViewport(xUp: boolean): Viewport {
   return {
     get: () => camera,
     drawn: () => drawn,
-    ratio: () => (isCoarse ? Math.min(COARSE, devicePixelRatio) : devicePixelRatio),
+    ratio: () => (isCoarse ? coarseRatio(size) : devicePixelRatio),
     size: () => size,
     subscribe(listener) {
       listeners.add(listener);
