@@ -55,6 +55,8 @@ test("the turned body in space: turned, cut open, at any moment; the section whe
   await lathe.button("last").click();
   now = await changed(now);
   await expect(picture).toHaveAccessibleName(/Block|block/);
+  // The body itself is there: what its surfaces stand for is told with it.
+  await expect(field.getByRole("list", { name: words.surfaces, exact: true })).toContainText(words.textures.finished);
 
   // Measuring is done in the section; after it the body is back.
   await lathe.button("ruler").click();

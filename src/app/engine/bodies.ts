@@ -19,6 +19,7 @@ export type BodiesGiven = ShownBodies | "same";
 interface Turned {
   readonly stockAt: ReturnType<typeof playerOf>["at"];
   readonly run: TurnedRun;
+  last: { readonly rings: readonly Ring[]; readonly look: string } | null;
 }
 const known = new WeakMap<Outcome, Turned>();
 
@@ -28,19 +29,17 @@ function turnedOf(outcome: Outcome): Turned {
   const { run: { steps, spindles }, simulation } = outcome;
   // Threads ask for what stood before them: another player, so that the one that goes on with the time need not go back.
   const threads = runThreads(steps, playerOf(simulation).at, { stated: statedSteps(simulation), spindles });
-  const made = { stockAt: playerOf(simulation).at, run: { simulation, threads, surfaces: surfacesOfRun(outcome.run) } };
+  const made: Turned = { last: null, stockAt: playerOf(simulation).at, run: { simulation, threads, surfaces: surfacesOfRun(outcome.run) } };
   known.set(outcome, made);
   return made;
 }
 
 export { buffersOf };
 
-let last: { readonly outcome: Outcome; readonly rings: readonly Ring[]; readonly look: string } | null = null;
-
 /** The bodies of an outcome at a moment. */
 export function turnedBodies(outcome: Outcome, { look, hasLast, ...asked }: BodiesWanted): BodiesGiven {
-  const { stockAt, run } = turnedOf(outcome), rings = stockAt(asked.position);
-  if (hasLast && last?.outcome === outcome && last.rings === rings && last.look === look) return "same";
-  last = { outcome, rings, look };
-  return shownBodies(rings, run, asked);
+  const turned = turnedOf(outcome), rings = turned.stockAt(asked.position);
+  if (hasLast && turned.last?.rings === rings && turned.last.look === look) return "same";
+  turned.last = { rings, look };
+  return shownBodies(rings, turned.run, asked);
 }

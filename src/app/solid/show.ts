@@ -9,6 +9,7 @@ import { statedSteps } from "../../view/solid/bodies.ts";
 import { chuckParts, toolParts } from "../../view/solid/furniture.ts";
 import { chordsFor } from "../../view/solid/revolve.ts";
 import { shownBodies, type BodiesAsked, type ShownBodies, type SolidTold } from "../../view/solid/shown-bodies.ts";
+import { THREAD_FINENESS } from "../../view/solid/threaded.ts";
 import { runThreads, type RunThreads } from "../../view/solid/thread-cuts.ts";
 import { UNTOUCHED } from "../../view/material/surfaces.ts";
 import { tipAt } from "../../view/tip.ts";
@@ -56,9 +57,6 @@ const PIXELS = { most: 2_600_000, ratio: 2 } as const;
 /** After so long without a picture, or after so many times what the last one took, everything is drawn sharp. */
 const REST = { ms: 160, times: 3 } as const;
 
-/** Flanks of threads: how far they may lie from the true ones, mm, and the most corners of all of them at rest and while it plays. */
-const THREAD = { within: 0.015, resting: 90_000, playing: 30_000 } as const;
-
 const nothingMoves = (): readonly Ring[] => [];
 
 /** `tell` hears what is to be said of what is seen, whenever that changes. */
@@ -105,8 +103,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
         chords,
         quarterCut,
         hand: xDown ? -1 : 1,
-        within: THREAD.within,
-        most: playing() ? THREAD.playing : THREAD.resting,
+        ...THREAD_FINENESS[playing() ? "playing" : "resting"],
       },
     };
     return { look, key: `${look} ${moment}`, asked };

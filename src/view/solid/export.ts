@@ -5,15 +5,12 @@ import { CHORD } from "../../kernel/tolerance.ts";
 import { cuboidMesh } from "./cuboid.ts";
 import { volumeOf, type Mesh } from "./mesh.ts";
 import type { ThreadedStock } from "./thread-cuts.ts";
-import { threaded } from "./threaded.ts";
+import { THREAD_FINENESS, threaded } from "./threaded.ts";
 import { chordsFor, revolved, wholeMesh } from "./revolve.ts";
 import { stlOf } from "./stl.ts";
 
 /** Fewest chords of a full turn in a file: a prism with so many sides lacks less than a thousandth of its cylinder. */
 const LEAST_CHORDS = 96;
-
-/** Flanks of a thread in a file: how far they may lie from the true ones, mm, and the most corners of all of them. */
-const THREAD = { within: 0.01, most: 1_000_000 } as const;
 
 /** A body that is to be written. */
 export interface WrittenBody {
@@ -32,7 +29,7 @@ export function bodyMesh({ rings, threads }: WrittenBody): { readonly mesh: Mesh
     chords,
     quarterCut,
     hand: 1,
-    ...THREAD,
+    ...THREAD_FINENESS.file,
   });
   return { mesh: wholeMesh(helices ?? revolved(plain, { chords, quarterCut })), hasRings: threads !== null && !helices };
 }

@@ -23,6 +23,16 @@ export interface ThreadTurning extends Turning {
   readonly most: number;
 }
 
+/**
+ * How finely threads are followed, on the screen as in a file: how far flanks may lie from the true ones, mm, and the most corners of all
+ * of them.
+ */
+export const THREAD_FINENESS = {
+  resting: { within: 0.015, most: 90_000 },
+  playing: { within: 0.015, most: 30_000 },
+  file: { within: 0.01, most: 1_000_000 },
+} as const;
+
 /** The section of a threaded body may miss that of the stock by this much of the grooves, or by what flanks may lie beside all along it. */
 const AMISS = 0.03;
 const isAmiss = (area: number, grooves: number, cuts: ThreadedStock["cuts"], within: number) =>
