@@ -1,5 +1,6 @@
-import { Suspense, useEffect, useMemo, type ReactNode } from "react";
+import { Suspense, useEffect, useMemo, useState, type ReactNode } from "react";
 import { knownWork } from "../program/known-work.ts";
+import { sameRings } from "../sim/same-step.ts";
 import { clock } from "./clock.ts";
 import { ContourViews } from "./contour/ContourViews.tsx";
 import { chooseElement, useContourPlace } from "./contour/contour-place.ts";
@@ -43,6 +44,8 @@ const FindingsPanel = lazyPart(async () => ({ default: (await fetchFindings()).F
 const ContourTable = lazyPart(async () => ({ default: (await import("./contour/ContourTable.tsx")).ContourTable }));
 const ContourStage = lazyPart(async () => ({ default: (await import("./contour/ContourStage.tsx")).ContourStage }));
 
+const VIEWS = <ContourViews />;
+
 /** Prompts, lathe and program of the open job. */
 export function Workplace() {
   const read = useReading();
@@ -64,6 +67,9 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
   // What is drawn without a path comes a moment after a key, so that it costs those nothing that draw one.
   const late = useLater(read);
   const known = useMemo(() => knownWork(late.cycle, late.job, late.reading, givenOf(late), tools), [late, tools]);
+  // The same blank is the same object: what is drawn of it is drawn once.
+  const [blank, keepBlank] = useState(known.blank);
+  if (!sameRings(blank, known.blank)) keepBlank(known.blank);
   const measured = useMeasuredTarget(read, setPrompt);
   useEffect(() => () => chooseElement(null), []);
   useEffect(() => fetchAtRest(() => Promise.all([fetchSetup(), fetchFindings()])), []);
@@ -117,7 +123,7 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
         {drawing
           ? (
             <Suspense>
-              <ContourStage rows={read.job.contour} blank={known.blank} language={language} onChange={setContour} lead={<ContourViews />} />
+              <ContourStage rows={read.job.contour} blank={blank} language={language} onChange={setContour} lead={VIEWS} />
             </Suspense>
           )
           : (

@@ -1,4 +1,4 @@
-import { useId, type KeyboardEvent } from "react";
+import { useId, useState, type KeyboardEvent } from "react";
 import { flushSync } from "react-dom";
 import type { Language } from "../../i18n/languages.ts";
 import { sumOf } from "../../program/field.ts";
@@ -6,6 +6,7 @@ import type { RowField } from "../../program/contour-rows.ts";
 import { isPlainNumber, minus } from "../dialog/number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { closeStep } from "../steps.ts";
+import { whileTyping } from "../typing.ts";
 
 /** What stands grey in an empty field: where a coordinate stays, or what was solved. */
 export interface Shown {
@@ -23,6 +24,8 @@ interface Props {
   readonly shown: Shown | null;
   readonly wrong: boolean;
   readonly describedBy: string;
+  /** What is typed is told to the drawing and the table behind the picture of its digit: they are long. */
+  readonly isLong: boolean;
   readonly onText: (text: string) => void;
   /** The I key of the coordinate; absent where a value cannot be incremental. */
   /** The T key: tangential to the element before. */
@@ -31,11 +34,22 @@ interface Props {
 }
 
 /** One number of the contour table, with its I key where it is a coordinate. */
-export function ContourCell({ row, field, name, language, text, shown, wrong, describedBy, onText, onTangent, incremental }: Props) {
+export function ContourCell({ row, field, name, language, text: told, shown, wrong, describedBy, isLong, onText, onTangent, incremental }:
+  Props)
+{
   const id = useId();
+  /** What was typed over the text that the table knows, until it is told. */
+  const [held, hold] = useState<{ readonly over: string; readonly text: string } | null>(null);
+  if (held && held.over !== told) hold(null);
+  const text = held?.over === told ? held.text : told;
+  const type = (next: string) => {
+    if (next === text) return;
+    if (!isLong) onText(next);
+    else if (whileTyping(() => onText(next))) hold({ over: told, text: next });
+  };
   const leave = () => {
     const sum = sumOf(text);
-    if (sum !== null) onText(sum);
+    if (sum !== null) type(sum);
     closeStep();
   };
   const onKey = (e: KeyboardEvent<HTMLInputElement>) => {
@@ -54,7 +68,7 @@ export function ContourCell({ row, field, name, language, text, shown, wrong, de
     const input = e.currentTarget;
     const next = minus({ text, from: input.selectionStart ?? 0, to: input.selectionEnd ?? 0, negative: false });
     // At once: a caret that is placed later would fall between the keys of a fast hand.
-    flushSync(() => onText(next.text));
+    flushSync(() => type(next.text));
     input.setSelectionRange(next.from === next.to ? next.from : next.text.startsWith("-") ? 1 : 0, next.to);
   };
   return (
@@ -69,7 +83,7 @@ export function ContourCell({ row, field, name, language, text, shown, wrong, de
       <input id={id} className="input number" type="text" data-number="open" inputMode="text" autoComplete="off" spellCheck={false}
         maxLength={200} data-row={row} data-field={field} aria-label={name} aria-invalid={wrong}
         aria-describedby={shown === null ? describedBy : `${describedBy} ${id}-stays`} value={inScreenWriting(language, text)}
-        placeholder={shown?.text ?? ""} onChange={(e) => onText(e.currentTarget.value)} onBlur={leave}
+        placeholder={shown?.text ?? ""} onChange={(e) => type(e.currentTarget.value)} onBlur={leave}
         onFocus={(e) => e.currentTarget.select()} onKeyDown={onKey} {...(incremental ? { "aria-keyshortcuts": "I" } : {})} />
       {shown !== null && <span id={`${id}-stays`} className="unseen">{shown.name}</span>}
     </span>

@@ -1,4 +1,4 @@
-import { useId, type ReactNode } from "react";
+import { memo, useId, type ReactNode } from "react";
 import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
@@ -8,6 +8,7 @@ import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { polarNames, polarOf, polarTyped, withPolar, type PolarName } from "../../program/polar-row.ts";
 import { Icon } from "../Icon.tsx";
 import { issueText } from "../issue-text.ts";
+import { chooseElement } from "./contour-place.ts";
 import { RecessFields } from "./RecessFields.tsx";
 import { ContourCell, type Shown } from "./ContourCell.tsx";
 
@@ -21,8 +22,9 @@ interface Props {
   /** Whether angle, length and tangency have their fields. */
   readonly details: boolean;
   readonly language: Language;
-  readonly onChange: (change: Partial<ContourRow>, place: string | null) => void;
-  readonly onFocus: () => void;
+  /** Of many: what is typed is told behind the picture of its digit. */
+  readonly isLong: boolean;
+  readonly onChange: (row: string, change: Partial<ContourRow>, place: string | null) => void;
 }
 
 const KINDS = ["L", "RND", "CHF", "CR", "CC", "C", "CT", "LP", "CP", "CTP", "UDC", "GRV"] as const;
@@ -32,8 +34,17 @@ const firstForm =
 /** The elements that have an end point or a centre, a size, a turning direction, and those that can be tangential. */
 const POINT = ["L", "CR", "CC", "C", "CT"], SIZE = ["RND", "CHF", "CR"], TURN = ["CR", "C", "CP"], TANGENTIAL = ["L", "CR", "C"];
 
-/** One element of the contour: its fields, and below them what is wrong with it. */
-export function ContourLine({ row, number, reading, issues, active, details, language, onChange, onFocus }: Props) {
+/** The same in every value: what is read anew of a row is another object with each key anywhere in the table. */
+const isAlike = (a: unknown, b: unknown): boolean => a === b || JSON.stringify(a) === JSON.stringify(b);
+
+/** One element of the contour: its fields, and below them what is wrong with it. Rendered again only when something of it is another. */
+export const ContourLine = memo(Line,
+  (a, b) =>
+    a.row === b.row && a.number === b.number && a.active === b.active && a.details === b.details && a.language === b.language
+    && a.isLong === b.isLong && a.onChange === b.onChange && isAlike(a.reading, b.reading) && isAlike(a.issues, b.issues));
+
+function Line({ row, number, reading, issues, active, details, language, isLong, onChange: changeRow }: Props) {
+  const onChange = (change: Partial<ContourRow>, place: string | null) => changeRow(row.id, change, place);
   const all = texts(language), t = all.contour;
   const id = useId();
   const write = (value: number) => formatNumber(language, value, 3);
@@ -53,8 +64,8 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
     incremental?: { on: boolean; name: string; toggle: () => void },
   ): ReactNode => (
     <ContourCell row={row.id} field={field} name={name} language={language} text={row[field]} shown={grey} describedBy={`${id}-wrong`}
-      wrong={issues.some((found) => found.field === field && found.issue.severity !== "info")}
-      onText={(text) => text !== row[field] && onChange({ [field]: text }, `${row.id} ${field}`)} {...(incremental ? { incremental } : {})}
+      isLong={isLong} wrong={issues.some((found) => found.field === field && found.issue.severity !== "info")}
+      onText={(text) => onChange({ [field]: text }, `${row.id} ${field}`)} {...(incremental ? { incremental } : {})}
       {...(TANGENTIAL.includes(row.kind) && number > 1 ? { onTangent: () => onChange({ tangent: !row.tangent }, null) } : {})} />
   );
   const polar = (name: PolarName): ReactNode => {
@@ -65,9 +76,9 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
       onChange({ words: withPolar(row.words, name, { ...typed, ...next }) }, place);
     return (
       <ContourCell row={row.id} field={name} name={(name === "PR" ? t.polarRadiusOf : t.polarAngleOf)(number)} language={language}
-        text={typed.text} shown={shown(typed.text, false, null, stays)} describedBy={`${id}-wrong`}
+        text={typed.text} shown={shown(typed.text, false, null, stays)} describedBy={`${id}-wrong`} isLong={isLong}
         wrong={issues.some((found) => found.field === name && found.issue.severity !== "info")}
-        onText={(text) => text !== typed.text && change({ text }, `${row.id} ${name}`)} incremental={{
+        onText={(text) => change({ text }, `${row.id} ${name}`)} incremental={{
         on: typed.incremental,
         name: (name === "PR" ? t.incrementalRadius : t.incrementalAngle)(number),
         toggle: () => change({ incremental: !typed.incremental }, null),
@@ -78,7 +89,7 @@ export function ContourLine({ row, number, reading, issues, active, details, lan
   const measured = details && number > 1 && row.kind === "L", tangential = details && number > 1 && TANGENTIAL.includes(row.kind);
   const open = reading?.freedom ?? 0;
   return (
-    <tr role="row" className={`contour-line kind-${row.kind}${active ? " active" : ""}`} onFocus={onFocus}
+    <tr role="row" className={`contour-line kind-${row.kind}${active ? " active" : ""}`} onFocus={() => chooseElement(row.id)}
       {...(active ? { "aria-current": true } : {})}
     >
       <th role="rowheader" scope="row" className="contour-number number">{number}</th>

@@ -1,4 +1,4 @@
-import { useState, type ReactNode } from "react";
+import { memo, useState, type ReactNode } from "react";
 import type { Ring } from "../../kernel/point.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { ContourRow } from "../../program/job.ts";
@@ -22,7 +22,9 @@ interface Props {
 }
 
 /** The contour on the large canvas, with its dimensions; its table stands beside it. */
-export function ContourStage({ rows, blank, language, onChange, lead }: Props) {
+export const ContourStage = memo(Stage);
+
+function Stage({ rows, blank, language, onChange, lead }: Props) {
   const t = texts(language).contour;
   const reading = readRows(rows), active = useChosenRow(rows);
   const [said, setSaid] = useState({ text: "", times: 0 });

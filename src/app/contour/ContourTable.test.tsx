@@ -1,10 +1,11 @@
-import { cleanup, render, screen, within } from "@testing-library/react";
+import { cleanup, fireEvent, render, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { useState } from "react";
 import { afterEach, beforeAll, expect, test } from "vitest";
 import { catalogue } from "../../cycles/index.ts";
 import { exampleJob, newRow, type ContourRow } from "../../program/job.ts";
 import { fetchTexts } from "../settings/loaded-texts.ts";
+import { heldWhileTyping } from "../typing.ts";
 import { chooseElement } from "./contour-place.ts";
 import { ContourTable } from "./ContourTable.tsx";
 
@@ -154,4 +155,35 @@ test("polar elements have distance and angle with an I key each, and say what th
 test("a polar element without a pole says so, also under the drawing", () => {
   shown([newRow("e1", { x: "20", z: "0" }), newRow("e2", { kind: "LP", words: { PR: "30", PA: "0" } })]);
   expect(screen.getAllByText("The block needs a pole CC before it.", { exact: false })).toHaveLength(2);
+});
+
+/** A table so long that its digits are drawn before anything is told of them. */
+function shownLong() {
+  const begun = Array.from({ length: 120 }, (_, i) => newRow(`e${i}`, { x: String(10 + i), z: String(-i) }));
+  const useRows = heldWhileTyping<{ readonly rows: readonly ContourRow[] }>(() => ({ rows: begun }));
+  const Table = () => <ContourTable rows={useRows((s) => s.rows)} onChange={(rows) => useRows.setState({ rows })} language="en" apart />;
+  render(<Table />);
+  return () => useRows.getState().rows;
+}
+
+test("in a long table a digit stands in its field at once, and the rows that it does not touch stay what they are", async () => {
+  const rows = shownLong(), before = rows(), x = field("Element 60, X diameter");
+  fireEvent.change(x, { target: { value: "705" } });
+  fireEvent.change(x, { target: { value: "70" } });
+  fireEvent.change(x, { target: { value: "704" } });
+  expect([x.value, rows()[59]?.x]).toEqual(["704", "704"]);
+  await expect.poll(() => x.getAttribute("value")).toBe("704");
+  expect(rows().filter((row, i) => row !== before[i])).toHaveLength(1);
+});
+
+test("in a long table a letter right behind a digit loses nothing of it: I, and C for a corner", () => {
+  const rows = shownLong(), x = field("Element 60, X diameter");
+  fireEvent.focus(x);
+  fireEvent.change(x, { target: { value: "7" } });
+  fireEvent.keyDown(x, { key: "i" });
+  expect(rows()[59]).toMatchObject({ x: "7", incrementalX: true });
+  fireEvent.change(x, { target: { value: "71" } });
+  fireEvent.keyDown(x, { key: "c" });
+  expect(rows()).toHaveLength(121);
+  expect(rows()[59]).toMatchObject({ x: "71", incrementalX: true });
 });

@@ -1,7 +1,7 @@
-import { useEffect, useEffectEvent, useRef, useState } from "react";
+import { memo, useCallback, useEffect, useEffectEvent, useLayoutEffect, useRef, useState } from "react";
 import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
-import { readRows } from "../../program/contour-rows.ts";
+import { readRows, type RowIssue } from "../../program/contour-rows.ts";
 import type { ContourRow } from "../../program/job.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
 import { ContourLine } from "./ContourLine.tsx";
@@ -23,8 +23,14 @@ interface Props {
   readonly apart?: boolean;
 }
 
+/** From so many elements on, drawing and table are told of a digit behind its picture. */
+const LONG = 100;
+const FINE: readonly RowIssue[] = [];
+
 /** The contour subprogram as a table, with its drawing unless that stands elsewhere. */
-export function ContourTable({ rows, onChange, language, apart = false }: Props) {
+export const ContourTable = memo(Table);
+
+function Table({ rows, onChange, language, apart = false }: Props) {
   const t = texts(language).contour;
   const table = useRef<HTMLTableElement>(null);
   const active = useChosenRow(rows), activeId = active === null ? null : (rows[active]?.id ?? null);
@@ -34,6 +40,18 @@ export function ContourTable({ rows, onChange, language, apart = false }: Props)
   const say = (text: string) => setSaid((old) => ({ text, times: old.times + 1 }));
   const reading = readRows(rows);
   const focusRow = useRowFocus(table);
+  /** The newest rows: those of a digit that is being drawn are not rendered yet. */
+  const now = useRef({ rows, onChange });
+  useLayoutEffect(() => {
+    now.current = { rows, onChange };
+  }, [rows, onChange]);
+  const changeRow = useCallback((id: string, change: Partial<ContourRow>, place: string | null) => {
+    const next = changed(now.current.rows, id, change);
+    now.current = { ...now.current, rows: next };
+    now.current.onChange(next, place);
+  }, []);
+  const issues = new Map<number, RowIssue[]>();
+  for (const found of reading.issues) issues.set(found.row, [...issues.get(found.row) ?? [], found]);
   const uses = rows.some((r) => r.angle !== "" || r.length !== "" || r.tangent);
   const [wanted, setWanted] = useState(uses);
   const details = wanted || uses;
@@ -60,7 +78,7 @@ export function ContourTable({ rows, onChange, language, apart = false }: Props)
   };
   const cornerRow = cornerRowOf(rows, active);
   const corner = (kind: CornerKind) => {
-    const edited = cornerOf(rows, active, kind);
+    const edited = cornerOf(now.current.rows, active, kind);
     if (edited) edit(edited, t.done.added, "r");
   };
   const onKeyDown = useTableKeys(table, { ...actions, corner });
@@ -119,10 +137,8 @@ export function ContourTable({ rows, onChange, language, apart = false }: Props)
                 </thead>
                 <tbody role="rowgroup">
                   {rows.map((row, i) => (
-                    <ContourLine key={row.id} row={row} number={i + 1} reading={reading.rows[i]} issues={reading.issues.filter((issue) =>
-                      issue.row === i
-                    )} active={row.id === activeId} details={details} language={language} onFocus={() => chooseElement(row.id)}
-                      onChange={(change, place) => onChange(changed(rows, row.id, change), place)} />
+                    <ContourLine key={row.id} row={row} number={i + 1} reading={reading.rows[i]} issues={issues.get(i) ?? FINE}
+                      active={row.id === activeId} details={details} language={language} isLong={rows.length > LONG} onChange={changeRow} />
                   ))}
                 </tbody>
               </table>

@@ -1,4 +1,4 @@
-import { part, type Segment } from "../../kernel/point.ts";
+import { part } from "../../kernel/point.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import type { ContourTexts } from "../../i18n/en/contour.ts";
 import type { Language } from "../../i18n/languages.ts";
@@ -22,7 +22,6 @@ const pointAt = ({ x, z }: { readonly x: number; readonly z: number }) => part.p
 /** What a dimension measures, on the part; null while that is not known. */
 function measuredOf({ row, field, value }: ContourDimension, reading: RowsReading): Measured | null {
   const read = reading.rows[row], { x, z } = read?.inherited ?? { x: null, z: null };
-  const own = reading.contour.segments.filter((_: Segment, i) => reading.rowOfSegment[i] === row);
   const end = read?.end ? pointAt(read.end) : null, from = x === null || z === null ? null : pointAt({ x, z });
   switch (field) {
     case "x":
@@ -30,8 +29,10 @@ function measuredOf({ row, field, value }: ContourDimension, reading: RowsReadin
       const at = end ?? read?.pole;
       return at ? { kind: field === "x" ? "diameter" : "axial", at } : null;
     }
-    case "r":
-      return own[0] ? { kind: "size", on: own[0] } : null;
+    case "r": {
+      const on = reading.contour.segments[reading.rowOfSegment.indexOf(row)];
+      return on ? { kind: "size", on } : null;
+    }
     case "length":
       return end && from && { kind: "length", from, to: end };
     case "PR":

@@ -49,7 +49,10 @@ const GAP = 6, AIR = 4;
 const OFFSETS = [30, 52, 76, 104] as const;
 const ARC = 38;
 
-type Candidate = Omit<PlacedDimension, "key">;
+/** A place for a text. Its lines are drawn where it is taken: most are not. */
+interface Candidate extends Pick<PlacedDimension, "box"> {
+  readonly draw: () => Pick<PlacedDimension, "lines" | "arrows">;
+}
 
 const boxAt = ({ target }: DimensionSheet, text: string, middle: Place): LabelBox => {
   const width = Math.max(target.width, Math.ceil(textWidth(text, DIMENSION_TEXT)) + PAD), { height } = target;
@@ -71,7 +74,7 @@ function diameters(sheet: DimensionSheet, text: string, at: Place): Candidate[] 
   return shifts(free.height + 1).map((by) => {
     const box = inside({ ...free, x, y: free.y + by }, sheet), y = box.y + box.height / 2;
     const knee = Math.max(at.x + GAP, x - 16);
-    return { box, lines: polyline([{ x: at.x + GAP, y: at.y }, { x: knee, y: at.y }, { x, y }]), arrows: "" };
+    return { box, draw: () => ({ lines: polyline([{ x: at.x + GAP, y: at.y }, { x: knee, y: at.y }, { x, y }]), arrows: "" }) };
   });
 }
 
@@ -84,7 +87,7 @@ function positions(sheet: DimensionSheet, text: string, at: Place): Candidate[] 
     return shifts(free.width + 2).map((by) => {
       const box = inside({ ...free, x: free.x + by, y }, sheet), x = box.x + box.width / 2;
       const knee = Math.max(at.y + GAP, y - 14);
-      return { box, lines: polyline([{ x: at.x, y: at.y + GAP }, { x: at.x, y: knee }, { x, y }]), arrows: "" };
+      return { box, draw: () => ({ lines: polyline([{ x: at.x, y: at.y + GAP }, { x: at.x, y: knee }, { x, y }]), arrows: "" }) };
     });
   });
 }
@@ -101,11 +104,13 @@ function lengths(sheet: DimensionSheet, text: string, a: Place, b: Place): Candi
       const off = (p: Place, by: number): Place => ({ x: p.x + up.x * by * side, y: p.y + up.y * by * side });
       const [from, to] = [off(a, far), off(b, far)];
       const box = inside(boxAt(sheet, text, { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 }), sheet);
-      const edges = polyline([off(a, GAP), off(a, far + AIR)]) + polyline([off(b, GAP), off(b, far + AIR)]);
+      const edges = () => polyline([off(a, GAP), off(a, far + AIR)]) + polyline([off(b, GAP), off(b, far + AIR)]);
       return {
         box,
-        lines: edges + polyline([from, to]),
-        arrows: arrowHead(from, -along.x, -along.y) + arrowHead(to, along.x, along.y),
+        draw: () => ({
+          lines: edges() + polyline([from, to]),
+          arrows: arrowHead(from, -along.x, -along.y) + arrowHead(to, along.x, along.y),
+        }),
       };
     })
   );
@@ -118,7 +123,10 @@ function angles(sheet: DimensionSheet, text: string, at: Place, angle: number): 
   const lines = polyline([{ x: at.x + GAP, y: at.y }, { x: at.x + ARC + 10, y: at.y }]) + arcPath(at, ARC, 0, turn);
   const head = arrowHead(onArc(turn, ARC), -Math.sin(turn) * Math.sign(turn), -Math.cos(turn) * Math.sign(turn));
   return [ARC + 26, ARC + 44, ARC + 66].flatMap((far) =>
-    [0.5, 0.3, 0.7, 0.1].map((share) => ({ box: inside(boxAt(sheet, text, onArc(turn * share, far)), sheet), lines, arrows: head }))
+    [0.5, 0.3, 0.7, 0.1].map((share) => ({
+      box: inside(boxAt(sheet, text, onArc(turn * share, far)), sheet),
+      draw: () => ({ lines, arrows: head }),
+    }))
   );
 }
 
@@ -136,7 +144,7 @@ function sizes(sheet: DimensionSheet, text: string, on: Segment): Candidate[] {
         };
         const box = inside(boxAt(sheet, text, { x: tip.x + way.x * far, y: tip.y + way.y * far }), sheet);
         const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
-        return { box, lines: polyline([tip, middle]), arrows: arrowHead(tip, tip.x - middle.x, tip.y - middle.y) };
+        return { box, draw: () => ({ lines: polyline([tip, middle]), arrows: arrowHead(tip, tip.x - middle.x, tip.y - middle.y) }) };
       })
     )
   );
@@ -199,7 +207,7 @@ export function placedDimensions(sheet: DimensionSheet, asked: readonly AskedDim
     const least = free ?? (one.needed ? possible.toSorted((a, b) => covers(a.box) - covers(b.box))[0] : undefined);
     if (!least) continue;
     taken.push(least.box);
-    out.push({ key: one.key, ...least });
+    out.push({ key: one.key, box: least.box, ...least.draw() });
   }
   return out;
 }

@@ -112,16 +112,17 @@ export function contourDrawing(request: ContourRequest): ContourPicture {
   const stops = ends.flatMap((e, row) => (e ? [{ row, at: { z: axial(e.z), r: toRadius(diameter(e.x)) } }] : []));
   const shown = [...drawnLine(contour), ...stops.map((s) => s.at)];
   const camera = given ?? cameraFor([...shown, ...nearby(shown, beside)], size, margin, xUp);
-  const rows = [...new Set(rowOfSegment)];
-  const elements = rows.map((row) => ({
-    row,
-    faulty: faulty.has(row),
-    d: segmentPath(contour.filter((_, i) => rowOfSegment[i] === row), camera),
-  }));
+  const rows = new Map<number, { readonly first: number; readonly own: Segment[] }>();
+  contour.forEach((s, i) => {
+    const row = rowOfSegment[i] ?? 0, known = rows.get(row);
+    if (known) known.own.push(s);
+    else rows.set(row, { first: i, own: [s] });
+  });
+  const elements = [...rows].map(([row, { own }]) => ({ row, faulty: faulty.has(row), d: segmentPath(own, camera) }));
   const corners = contour.flatMap((s, i) => {
     const row = rowOfSegment[i] ?? 0;
     // A recess has many segments and one number.
-    return ends[row] === null && rowOfSegment.indexOf(row) === i ? [{ row, at: pointOn(s, 0.5) }] : [];
+    return ends[row] === null && rows.get(row)?.first === i ? [{ row, at: pointOn(s, 0.5) }] : [];
   });
   const drawnRows = new Set([...stops, ...corners].map((s) => s.row));
   const missing = [...faulty].filter((row) => !drawnRows.has(row)).flatMap((row) => {
