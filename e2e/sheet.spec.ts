@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import { accessible, looksRightInBoth } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -61,4 +62,16 @@ test("the sheet of a cycle, in German on a phone; a program with faults is marke
   await dialog.set("Q494", "+55");
   await sheet.open();
   await expect(sheet.preview.getByRole("heading", { name: sheet.words.stamp.faults })).toBeVisible();
+});
+
+test("the setup sheet of an inch program is in inches, its tools in mm", async ({ page }) => {
+  const { editor, sheet } = await Turnwise.open(page);
+  await editor.openFile("SHOULDER.h", readFileSync("tests/programs/shoulder-inch.h"));
+  await sheet.open();
+  const { preview, words } = sheet;
+  await expect(preview).toContainText(words.inch);
+  await expect(preview.getByRole("img", { name: words.drawingOf("SHOULDER_INCH") })).toContainText("⌀2.338");
+  await expect(preview).toContainText("⌀2.9528 × 3.937");
+  await expect(preview.getByRole("row", { name: /812.*T1.*X⌀2\.9528 Z\+0\.0787.*0\.0118 \/ 0\.0079 inch\/rev/ })).toBeVisible();
+  await expect(preview.getByRole("row", { name: /CNMG-80-R08.*RS 0\.8/ })).toBeVisible();
 });

@@ -15,7 +15,7 @@ const ROOM = { width: 124, height: 96 } as const;
 export function PartSheet({ outcome, measured, name, t, words }: { readonly outcome: Outcome | null;
   readonly measured: readonly MeasurementNow[]; readonly name: string; readonly t: SheetTexts; readonly words: SheetWords })
 {
-  const drawn = useDrawnMeasured(measured);
+  const drawn = useDrawnMeasured(measured, outcome?.run);
   const hatch = useId();
   const drawing = useMemo(() => {
     if (!outcome) return null;

@@ -6,6 +6,7 @@ import { verdictReasons, verdictTitle } from "../findings/verdict-words.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { Icon } from "../Icon.tsx";
 import { issueText, placeInFile } from "../issue-text.ts";
+import { useLengths } from "../lengths.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
@@ -35,7 +36,7 @@ function Verdict({ t, hasOutcome, isCalculated, date }: { readonly t: SheetTexts
   readonly isCalculated: boolean; readonly date: string })
 {
   const texts = useTexts().findings.verdict;
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths();
   const verdict = useVerdict();
   const stamp = stampOf(verdict, hasOutcome);
   const reasons = hasOutcome
@@ -45,7 +46,7 @@ function Verdict({ t, hasOutcome, isCalculated, date }: { readonly t: SheetTexts
   return (
     <section className={`sheet-verdict${grave ? " sheet-grave" : ""}`}>
       <h2>{stamp !== "good" && <Icon name={stamp === "faults" ? "error" : "warning"} />} {t.stamp[stamp]}</h2>
-      {hasOutcome && stamp !== "good" && <p>{verdictTitle(texts, language, verdict)}</p>}
+      {hasOutcome && stamp !== "good" && <p>{verdictTitle(texts, lengths, verdict)}</p>}
       {reasons.map((reason) => <p key={reason}>{reason}</p>)}
       <p className="sheet-small">{t.stamp.dryRun} {date}, Turnwise {import.meta.env["VITE_VERSION"]}</p>
     </section>
@@ -54,7 +55,7 @@ function Verdict({ t, hasOutcome, isCalculated, date }: { readonly t: SheetTexts
 
 function FindingLines({ t, source }: { readonly t: SheetTexts; readonly source: SheetSource }) {
   const texts = useTexts();
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths(source.outcome?.run);
   const listed = useListed();
   const job = useEditor((s) => s.job);
   const run = source.outcome?.run;
@@ -72,7 +73,7 @@ function FindingLines({ t, source }: { readonly t: SheetTexts; readonly source: 
             : texts.findings.inBlock(String(entry.block));
           return (
             <li key={entry.id}>
-              <Icon name={entry.issue.severity} /> {issueText(texts, language, entry.issue, cycle)} {where && `(${where})`}
+              <Icon name={entry.issue.severity} /> {issueText(texts, lengths, entry.issue, cycle)} {where && `(${where})`}
             </li>
           );
         })}
@@ -88,7 +89,7 @@ export function SetupSheet({ source, t, date }: { readonly source: SheetSource; 
   const { language, paper, sheetProgram } = useSettings();
   const work = useEditor((s) => s.program);
   const isCalculated = useIsCalculated(source);
-  const words = useMemo(() => sheetWords(texts, t, language), [texts, t, language]);
+  const lengths = useLengths(source.outcome?.run), words = useMemo(() => sheetWords(texts, t, lengths), [texts, t, lengths]);
   const { data, outcome, program, control, file, remarks } = source;
   const name = data.name || file, measured = useSheetMeasured(outcome);
   const comma = language === "zh" ? "、" : ", ";
@@ -123,7 +124,7 @@ export function SetupSheet({ source, t, date }: { readonly source: SheetSource; 
           <SheetFacts source={source} work={work} t={t.facts} words={words} comma={comma} />
         </div>
       </section>
-      <SheetMeasured measured={measured} t={t} />
+      <SheetMeasured measured={measured} run={outcome?.run} t={t} />
       <section className="sheet-wide" tabIndex={0} aria-label={t.tools}>
         <h2>{t.tools}</h2>
         <SheetTools data={data} t={t} words={words} />

@@ -13,7 +13,7 @@ const BLANK_LINE = <span className="sheet-line" />;
 
 function zeroText(t: SheetTexts["facts"], words: SheetWords, front: number): string {
   if (Math.abs(front) < SAME) return t.zeroAt;
-  return front > 0 ? t.zeroBehind(words.number(front)) : t.zeroBefore(words.number(-front));
+  return words.units(front > 0 ? t.zeroBehind(words.length(front)) : t.zeroBefore(words.length(-front)));
 }
 
 /** What the setter needs beside the drawing. */
@@ -34,12 +34,12 @@ export function SheetFacts({ source: { data, outcome }, work, t, words, comma }:
     [
       t.blank,
       box
-        ? `${words.diameter(toDiameter(radius(box.high)))} × ${words.number(box.right - box.left)}${bore}`
+        ? `${words.diameter(toDiameter(radius(box.high)))} × ${words.length(box.right - box.left)}${bore}`
         : data.box
-        ? data.box.map((size) => words.number(size)).join(" × ")
+        ? data.box.map((size) => words.length(size)).join(" × ")
         : t.noBlank,
     ],
-    ...(box && box.right > SAME ? [[t.front, `${words.number(box.right)} mm`] as const] : []),
+    ...(box && box.right > SAME ? [[t.front, words.units(`${words.length(box.right)} mm`)] as const] : []),
     [t.zero, box ? zeroText(t, words, box.right) : t.asMachine],
     [t.preset, data.presets.length > 0 ? t.presets(data.presets.join(comma)) : t.asMachine],
     [t.shift, data.shifts.length > 0 ? data.shifts.map(words.start).join(comma) : t.noShift],

@@ -1,23 +1,17 @@
 import { useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
-import type { Lengths } from "../../i18n/lengths.ts";
+import type { Run } from "../../program/run-types.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import type { SheetMeasurement } from "../../view/sheet/measured.ts";
 import { measurablePlane } from "../approach/plane-source.ts";
 import { measuredIn } from "../edits.ts";
 import type { Outcome } from "../engine/outcome.ts";
-import { lengthsOf } from "../lengths.ts";
+import { useLengths } from "../lengths.ts";
 import { measurementWords, useMeasureTexts } from "../measure/measure-words.ts";
 import { readIn } from "../measure/readings.ts";
 import { measurableRun } from "../measure/source.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useEditor } from "../store.ts";
-
-/** The sheet is in mm, whatever the program counts in. */
-function useSheetLengths(): Lengths {
-  const language = useSettings((s) => s.language);
-  return useMemo(() => lengthsOf(language, "mm"), [language]);
-}
 
 const NOTHING: readonly MeasurementNow[] = [];
 
@@ -32,8 +26,8 @@ export function useSheetMeasured(outcome: Outcome | null): readonly MeasurementN
 }
 
 /** Those that are drawn: of the finished part. Half-made parts and milled planes are not on the drawing. */
-export function useDrawnMeasured(measured: readonly MeasurementNow[]): readonly SheetMeasurement[] {
-  const t = useMeasureTexts(), lengths = useSheetLengths();
+export function useDrawnMeasured(measured: readonly MeasurementNow[], run: Run | undefined): readonly SheetMeasurement[] {
+  const t = useMeasureTexts(), lengths = useLengths(run);
   return useMemo(() =>
     measured.flatMap((each) => {
       const { measurement: { id, plane, moment }, figure, isOld } = each;
@@ -43,8 +37,10 @@ export function useDrawnMeasured(measured: readonly MeasurementNow[]): readonly 
 }
 
 /** What was measured, in words; what is of before a change is only counted. */
-export function SheetMeasured({ measured, t }: { readonly measured: readonly MeasurementNow[]; readonly t: SheetTexts }) {
-  const own = useMeasureTexts(), lengths = useSheetLengths();
+export function SheetMeasured({ measured, run, t }: { readonly measured: readonly MeasurementNow[]; readonly run: Run | undefined;
+  readonly t: SheetTexts })
+{
+  const own = useMeasureTexts(), lengths = useLengths(run);
   if (measured.length === 0) return null;
   const said = measured.filter(({ isOld }) => !isOld), old = measured.length - said.length;
   return (

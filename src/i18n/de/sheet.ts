@@ -29,7 +29,7 @@ export const sheet: SheetTexts = {
   },
   unreleased: "nicht freigegeben",
   head: { program: "Programm", file: "Datei", unit: "Einheit", blocks: "Sätze", time: "Zeit", date: "Gedruckt", control: "Steuerung" },
-  inch: "Zoll (dieses Blatt in mm)",
+  inch: "Zoll (Werkzeuge in mm)",
   estimate: (time) => `etwa ${time}`,
 
   drawing: "Aufspannung und Fertigteil",

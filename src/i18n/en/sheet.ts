@@ -31,7 +31,7 @@ export const sheet = {
   },
   unreleased: "not released",
   head: { program: "Program", file: "File", unit: "Unit", blocks: "Blocks", time: "Time", date: "Printed", control: "Control" },
-  inch: "inch (this sheet in mm)",
+  inch: "inch (tools in mm)",
   estimate: (time: string) => `about ${time}`,
 
   drawing: "Clamping and finished part",

@@ -37,7 +37,7 @@ export const sheet: SheetTexts = {
     date: "Imprimé le",
     control: "Commande",
   },
-  inch: "pouce (cette fiche en mm)",
+  inch: "pouce (outils en mm)",
   estimate: (time) => `environ ${time}`,
 
   drawing: "Serrage et pièce finie",

@@ -29,7 +29,7 @@ export const sheet: SheetTexts = {
   },
   unreleased: "未放行",
   head: { program: "程序", file: "文件", unit: "单位", blocks: "程序段", time: "时间", date: "打印", control: "数控系统" },
-  inch: "英寸（本单为 mm）",
+  inch: "英寸（刀具为 mm）",
   estimate: (time) => `约 ${time}`,
 
   drawing: "装夹与成品",
