@@ -96,6 +96,15 @@ describe("the first key", () => {
       expect(cross()).toEqual(end);
     });
 
+  test("Enter, where the middle of the picture is empty, shows the cross on an edge of its sort: Enter again takes that", () => {
+    const { measuring, press } = measuringShaft();
+    measuring.choose("angle");
+    press("Enter");
+    expect(measured()).toEqual([]);
+    press("Enter", "Enter");
+    expect(measured()).toHaveLength(1);
+  });
+
   test("Enter shows the cross and measures nothing that nobody saw", () => {
     const { press, cross } = measuringShaft();
     press("Enter");

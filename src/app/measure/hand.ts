@@ -1,5 +1,6 @@
 import type { MeasureTexts } from "../../i18n/en/measure.ts";
 import type { MeasuredKind, MeasuredMoment, MeasuredPlace, Measurement } from "../../kernel/measured.ts";
+import { part } from "../../kernel/point.ts";
 import { toPlace, type Place } from "../../view/camera.ts";
 import { nudged } from "../../view/measure/distance.ts";
 import { chainOfRing } from "../../view/measure/edges.ts";
@@ -123,9 +124,12 @@ export function measureHand(
     const stop = cross ? nextStop(stops, cross.at, way) : stops.at(way > 0 ? 0 : -1);
     byKeys(stop ? { cross: stop, said: "" } : { said: texts().none[gripNow()] });
   };
+  /** Where the cross begins that Enter asks for: in the middle, or for a tool that takes hold of edges at the one nearest to it. */
   const middle = (): MeasuredPlace => {
-    const { width, height } = viewport.size();
-    return held({ x: width / 2, y: height / 2 }, REACH);
+    const { width, height } = viewport.size(), place = held({ x: width / 2, y: height / 2 }, REACH), grip = gripNow();
+    if (grip === "point" || place.edge) return place;
+    const far = (stop: MeasuredPlace) => part.apart(stop.at, place.at);
+    return stopsOf(snapped().snapping, grip).toSorted((a, b) => far(a) - far(b))[0] ?? place;
   };
   const nudge = ([z, r]: readonly [number, number]) => {
     const { scale, xUp } = viewport.get(), from = get().cross ?? middle();
