@@ -111,3 +111,33 @@ test("a program that turns and mills shows the picture that a choice, a finding 
   await page.keyboard.press("Space");
   await expect(plane).toBeVisible();
 });
+
+/** A pocket with a mouth of 9 mm, and a tool of 10. */
+const NARROW = `0 BEGIN PGM NARROW MM
+1 TOOL DEF 1 L+0 R+5
+2 TOOL CALL 1 Z S4000
+3 L Z+20 R0 FMAX
+4 L X-40 Y-40 R0 F500
+5 APPR LT X-30 Y-10 LEN10 RL F100
+6 L X+0 Y+0
+7 L X+10
+8 L Y-6
+9 L X+40
+10 L Y+15
+11 L X+10
+12 L Y+9
+13 L X+0
+14 L X-30 Y+19
+15 DEP LT LEN10
+16 L Z+20 R0 FMAX M2
+17 END PGM NARROW MM
+`;
+
+test("a mouth narrower than the tool is told at its place, with the radius that passes", async ({ page }) => {
+  const { editor, t } = await Turnwise.open(page);
+  await editor.openFile("NARROW.h", Buffer.from(NARROW));
+  await editor.show("findings");
+  await expect(page.getByText(/Along element 1 the tool cuts 1 mm into element 8 at .*Y\s?\+?9.*4\.5/).first()).toBeVisible();
+  const view = page.getByRole("region", { name: t.approach.view });
+  await expect(view.getByRole("button", { name: /Along element 1 the tool cuts/ })).toBeVisible();
+});

@@ -88,3 +88,12 @@ test("by touch: a tap on a surface, a finger beside the point, a text that is mo
   await lathe.view.getByRole("button", { name: measure.clear }).tap();
   await expect(lathe.view.getByRole("button", { name: /^Diameter ⌀/ })).toHaveCount(0);
 });
+
+test("an angle in the plane by keys alone", async ({ page }) => {
+  const { editor, lathe } = await Turnwise.open(page);
+  await editor.openExample("plate");
+  await lathe.button("ruler").press("Enter");
+  await expect(lathe.view.getByRole("toolbar", { name: measure.tools })).toBeVisible();
+  for (const key of ["a", "n", "Enter", "Enter"]) await page.keyboard.press(key);
+  await expect(lathe.view.getByRole("button", { name: `${kinds.angle} 90°, contour`, exact: true })).toBeVisible();
+});
