@@ -1,4 +1,5 @@
 import { readFileSync } from "node:fs";
+import { compare } from "../src/i18n/en/compare.ts";
 import { accessible, looksRightInBoth } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -64,9 +65,10 @@ test("the sheet of a cycle, in German on a phone; a program with faults is marke
   await expect(sheet.preview.getByRole("heading", { name: sheet.words.stamp.faults })).toBeVisible();
 });
 
-test("the setup sheet of an inch program is in inches, its tools in mm", async ({ page }) => {
-  const { editor, sheet } = await Turnwise.open(page);
-  await editor.openFile("SHOULDER.h", readFileSync("tests/programs/shoulder-inch.h"));
+test("the setup sheet of an inch program is in inches, its tools in mm; so is what comes of a difference", async ({ page }) => {
+  const { editor, sheet, t } = await Turnwise.open(page);
+  const text = readFileSync("tests/programs/shoulder-inch.h", "utf8");
+  await editor.openFile("SHOULDER.h", Buffer.from(text));
   await sheet.open();
   const { preview, words } = sheet;
   await expect(preview).toContainText(words.inch);
@@ -74,4 +76,11 @@ test("the setup sheet of an inch program is in inches, its tools in mm", async (
   await expect(preview).toContainText("⌀2.9528 × 3.937");
   await expect(preview.getByRole("row", { name: /812.*T1.*X⌀2\.9528 Z\+0\.0787.*0\.0118 \/ 0\.0079 inch\/rev/ })).toBeVisible();
   await expect(preview.getByRole("row", { name: /CNMG-80-R08.*RS 0\.8/ })).toBeVisible();
+  await sheet.close();
+
+  await page.evaluate((copied) => navigator.clipboard.writeText(copied), text.replace("Q463=+0.1181", "Q463=+0.05"));
+  await page.getByRole("button", { name: t.page.text.compare, exact: true }).click();
+  const dialog = page.getByRole("dialog", { name: compare.title, exact: true });
+  await dialog.getByRole("button", { name: compare.clipboard, exact: true }).click();
+  await expect(dialog.getByText(new RegExp(String.raw`${compare.effects.infeed} 0\.0\d+ inch → 0\.\d+ inch`)).first()).toBeVisible();
 });

@@ -3,8 +3,8 @@ import { createPortal } from "react-dom";
 import { loadCompare } from "../../i18n/load-compare.ts";
 import type { BlockDifference } from "../../program/compare/compare.ts";
 import { Icon } from "../Icon.tsx";
+import { useLengths } from "../lengths.ts";
 import { copyText, useCopying } from "../program/copy.ts";
-import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { comparisonText, findingTexts, summaryText, verdictChange, wholeTexts, type Wording } from "./compare-words.ts";
@@ -135,7 +135,7 @@ interface Props {
 /** Sets the open program against another one, block by block in meaning, with what comes of the differences. */
 export function CompareDialog({ done, showBlock, against }: Props) {
   const texts = useTexts();
-  const language = useSettings((s) => s.language);
+  const lengths = useLengths();
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog);
   const words = useCompareTexts();
@@ -167,7 +167,7 @@ export function CompareDialog({ done, showBlock, against }: Props) {
           <OtherProgram words={words} present={present} other={other} onTake={take} />
           {other && !compared && <p className="soft">{words.working}</p>}
           {other && compared && (
-            <Result wording={{ texts, words, language }} compared={compared} names={[other.name ?? words.opened, name]} onChoose={choose} />
+            <Result wording={{ texts, words, lengths }} compared={compared} names={[other.name ?? words.opened, name]} onChoose={choose} />
           )}
         </>
       )}

@@ -1,8 +1,8 @@
 import { cycleByNumber, type ParamTextId } from "../../cycles/index.ts";
 import type { CompareTexts } from "../../i18n/en/compare.ts";
 import type { Texts } from "../../i18n/index.ts";
-import type { Language } from "../../i18n/languages.ts";
-import { formatFixed, formatNumber } from "../../i18n/number.ts";
+import type { Lengths } from "../../i18n/lengths.ts";
+import { formatFixed } from "../../i18n/number.ts";
 import type { Program } from "../../nc/program.ts";
 import type { ComparedOperation } from "../../program/compare/by-operation.ts";
 import type { BlockDifference } from "../../program/compare/compare.ts";
@@ -16,13 +16,14 @@ import { isTold, isWriting, tallyOf, type ComparedFile, type Consequences } from
 export interface Wording {
   readonly texts: Texts;
   readonly words: CompareTexts;
-  readonly language: Language;
+  /** As the open program counts, also where the other one counts otherwise. */
+  readonly lengths: Lengths;
 }
 
 const SIGN = { more: "+", less: "−" } as const;
 
 /** Seconds as minutes and seconds; small changes keep their tenths. */
-export function timeText({ texts: { page: { effect } }, language }: Wording, seconds: number): string {
+export function timeText({ texts: { page: { effect } }, lengths: { language } }: Wording, seconds: number): string {
   const minutes = Math.floor(Math.round(seconds) / 60);
   const rest = minutes > 0 ? formatFixed(language, Math.max(0, seconds - minutes * 60), 0) : formatFixed(language, seconds, 1);
   return effect.duration(minutes, rest);
@@ -38,8 +39,8 @@ export function longerBy(wording: Wording, { before, after }: Consequence): stri
 function effectText(wording: Wording, name: keyof Effects, { [name]: value }: Effects): string {
   if (name === "seconds") return timeText(wording, value);
   if (name === "passes") return String(value);
-  const text = formatNumber(wording.language, value, name === "infeed" ? 3 : 2);
-  return name === "residue" ? `${text} mm²` : text;
+  const { lengths } = wording;
+  return name === "residue" ? lengths.words(`${lengths.area(value, 2)} mm²`) : `${lengths.number(value)} ${lengths.unit}`;
 }
 
 /** What comes of an operation that differs: "Infeed 2.56 → 2.05", "Time 1 min 20 s → 1 min 28 s (+8 s)". */
@@ -123,12 +124,12 @@ export function summaryText(wording: Wording, files: readonly ComparedFile[], co
 }
 
 /** Findings that came and went, as sentences. */
-export const findingTexts = ({ texts, language }: Wording, list: Consequences["came"]): readonly string[] =>
-  list.map(({ issue, cycle }) => issueText(texts, language, issue, cycle));
+export const findingTexts = ({ texts, lengths }: Wording, list: Consequences["came"]): readonly string[] =>
+  list.map(({ issue, cycle }) => issueText(texts, lengths, issue, cycle));
 
 /** The verdicts of both programs, where they differ. */
-export function verdictChange({ texts, language }: Wording, { before, after }: Consequences): string | null {
-  const [was, is] = [before, after].map((verdict) => verdictTitle(texts.findings.verdict, language, verdict));
+export function verdictChange({ texts, lengths }: Wording, { before, after }: Consequences): string | null {
+  const [was, is] = [before, after].map((verdict) => verdictTitle(texts.findings.verdict, lengths, verdict));
   return was === is ? null : `${was} → ${is}`;
 }
 

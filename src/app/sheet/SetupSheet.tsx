@@ -6,7 +6,7 @@ import { verdictReasons, verdictTitle } from "../findings/verdict-words.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { Icon } from "../Icon.tsx";
 import { issueText, placeInFile } from "../issue-text.ts";
-import { useLengths } from "../lengths.ts";
+import { lengthsOf, useLengths } from "../lengths.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
@@ -89,14 +89,15 @@ export function SetupSheet({ source, t, date }: { readonly source: SheetSource; 
   const { language, paper, sheetProgram } = useSettings();
   const work = useEditor((s) => s.program);
   const isCalculated = useIsCalculated(source);
-  const lengths = useLengths(source.outcome?.run), words = useMemo(() => sheetWords(texts, t, lengths), [texts, t, lengths]);
+  const { unit } = source.data, lengths = useMemo(() => lengthsOf(language, unit), [language, unit]);
+  const words = useMemo(() => sheetWords(texts, t, lengths), [texts, t, lengths]);
   const { data, outcome, program, control, file, remarks } = source;
   const name = data.name || file, measured = useSheetMeasured(outcome);
   const comma = language === "zh" ? "、" : ", ";
   const head: readonly (readonly [string, string])[] = [
     [t.head.file, file],
     [t.head.control, control],
-    [t.head.unit, data.unit === "inch" ? t.inch : "mm"],
+    [t.head.unit, unit === "inch" ? t.inch : "mm"],
     [t.head.time, data.seconds > 0 ? t.estimate(words.time(data.seconds)) : "–"],
     [t.head.date, date],
   ];

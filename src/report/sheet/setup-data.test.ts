@@ -132,3 +132,14 @@ test("a milled program has its mill and its feeds", () => {
 test("cycles that nobody here knows are named", () => {
   expect(dataOf(PART.replace("811 SHOULDER, LONGITDNL.", "1999 OWN")).unknownCycles).toEqual([1999]);
 });
+
+test("a program in inches says so before it runs, and its box is in mm like all the rest", () => {
+  const program = parse(`0 BEGIN PGM BOX INCH
+1 BLK FORM 0.1 Z X-1 Y-0.5 Z-0.75
+2 BLK FORM 0.2 X+1 Y+0.5 Z+0
+3 END PGM BOX INCH
+`);
+  const { unit, name, box } = setupData({ program, run: null, tools: [], mills: [] });
+  expect({ unit, name }).toEqual({ unit: "inch", name: "BOX" });
+  expect(box?.map((size) => size.toFixed(3))).toEqual(["50.800", "25.400", "19.050"]);
+});

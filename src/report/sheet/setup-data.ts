@@ -4,6 +4,7 @@ import type { FeedUnit } from "../../kernel/move.ts";
 import type { Pt } from "../../kernel/point.ts";
 import type { Spindle, Step } from "../../kernel/step.ts";
 import type { Tool } from "../../kernel/tool.ts";
+import { IN_MM, type LengthUnit } from "../../kernel/units.ts";
 import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import type { AxisName } from "../../nc/statement.ts";
 import { wordsOf } from "../../program/flow.ts";
@@ -56,11 +57,11 @@ export interface SheetTool {
 /** What a setter has to know of a program, as data. */
 export interface SetupData {
   readonly name: string;
-  readonly unit: "mm" | "inch";
+  readonly unit: LengthUnit;
   readonly blocks: number;
   readonly operations: readonly SheetOperation[];
   readonly tools: readonly SheetTool[];
-  /** Sizes of a box that is the blank of milling, along X, Y and Z; null without one. */
+  /** Sizes of a box that is the blank of milling, along X, Y and Z, mm; null without one. */
   readonly box: readonly [x: number, y: number, z: number] | null;
   /** Calls of another tool, the first one included. */
   readonly toolChanges: number;
@@ -117,13 +118,13 @@ function fileNames({ blocks }: Program): readonly string[] {
 }
 
 /** The box between the two corners of BLK FORM 0.1 and 0.2, where both are numbers. */
-function boxOf({ blocks }: Program): SetupData["box"] {
+function boxOf({ blocks }: Program, unit: LengthUnit): SetupData["box"] {
   const corners = blocks.flatMap(({ statement: s }) => (s.kind === "blankBox" ? [s] : []));
   const [first, second] = [corners.find(({ corner }) => corner === 1), corners.find(({ corner }) => corner === 2)];
   const along = (axis: AxisName): number => {
     const [a, b] = [first, second].map((corner) => corner?.axes.find((word) => word.axis === axis));
     if (typeof a?.value !== "number" || typeof b?.value !== "number") return 0;
-    return Math.abs(b.incremental ? b.value : b.value - a.value);
+    return Math.abs(b.incremental ? b.value : b.value - a.value) * IN_MM[unit];
   };
   const [x, y, z] = [along("X"), along("Y"), along("Z")];
   return x > 0 && y > 0 && z > 0 ? [x, y, z] : null;
@@ -239,13 +240,14 @@ export function setupData({ program, run, tools, mills }: SetupInput): SetupData
     },
   }));
   const cycles = program.blocks.flatMap(({ statement: s }) => (s.kind === "cycle" ? [s.cycle] : []));
+  const begin = beginOf(program), unit = run?.program.unit ?? (begin?.unit === "INCH" ? "inch" : "mm");
   return {
-    name: run?.program.name || beginName(program),
-    unit: run?.program.unit ?? "mm",
+    name: run?.program.name || begin?.name || "",
+    unit,
     blocks: program.blocks.filter(({ statement: s }) => s.kind !== "empty").length,
     operations: [...rows, ...apart].sort((a, b) => a.order - b.order).map(({ operation }) => operation),
     tools: list,
-    box: boxOf(program),
+    box: boxOf(program, unit),
     toolChanges: calls.filter(({ called }, i) => called !== calls[i - 1]?.called).length,
     seconds: run?.seconds ?? 0,
     presets: presetsOf(program),
@@ -258,7 +260,8 @@ export function setupData({ program, run, tools, mills }: SetupInput): SetupData
 /** Cycles that are no machining: datums, coordinates, stops, contours. */
 const isPlain = (cycle: number): boolean => cycle < 200 || cycle === PRESET;
 
-function beginName({ blocks }: Program): string {
+/** The block that a program begins with. */
+function beginOf({ blocks }: Program) {
   const begin = blocks.find(({ statement }) => statement.kind === "begin")?.statement;
-  return begin?.kind === "begin" ? begin.name : "";
+  return begin?.kind === "begin" ? begin : null;
 }
