@@ -5,7 +5,10 @@ interface Spot {
   readonly y: number;
 }
 
-/** One finger that presses, moves and lifts. */
+/** The browser drops a tap that follows within 90 ms of a drag, as a bounce. No finger is elsewhere so soon: it travels this long, ms. */
+const TRAVEL = 250;
+
+/** One finger that presses, moves, lifts, and is on its way to the next place. */
 export async function dragFinger(page: Page, from: Spot, to: Spot): Promise<void> {
   const session = await page.context().newCDPSession(page);
   const send = (type: "touchStart" | "touchMove" | "touchEnd", at: readonly Spot[]) =>
@@ -15,4 +18,5 @@ export async function dragFinger(page: Page, from: Spot, to: Spot): Promise<void
     await send("touchMove", [{ x: from.x + (to.x - from.x) * k, y: from.y + (to.y - from.y) * k }]);
   await send("touchEnd", []);
   await session.detach();
+  await page.evaluate((travel) => new Promise((arrived) => void setTimeout(arrived, travel)), TRAVEL);
 }
