@@ -61,23 +61,32 @@ test("a damaged save is set aside with a message, and the page opens", async ({ 
   await expect(turnwise.start.button(812, true)).toBeVisible();
 });
 
-/** Breaks every save on the device; their number. */
+/** Breaks every save on the device, as soon as the open work is written with what lists show of it; their number, 0 before. */
 function damageSaves(page: Page): Promise<number> {
   return page.evaluate(async () => {
     let count = 0;
-    for (const { name } of await indexedDB.databases()) {
-      const db = await new Promise<IDBDatabase>((resolve, reject) => {
-        const opening = indexedDB.open(name ?? "");
+    const open = (name: string) =>
+      new Promise<IDBDatabase>((resolve, reject) => {
+        const opening = indexedDB.open(name);
         opening.onsuccess = () => resolve(opening.result);
         opening.onerror = () => reject(opening.error);
       });
+    const keysOf = (store: IDBObjectStore) =>
+      new Promise<IDBValidKey[]>((resolve) => {
+        const asking = store.getAllKeys();
+        asking.onsuccess = () => resolve(asking.result);
+      });
+    const all = (await indexedDB.databases()).flatMap(({ name }) => name ?? []);
+    if (!all.includes("turnwise-heads")) return 0;
+    const heads = await open("turnwise-heads");
+    const isWritten = (await keysOf(heads.transaction("heads").objectStore("heads"))).length > 0;
+    heads.close();
+    if (!isWritten) return 0;
+    for (const name of all) {
+      const db = await open(name);
       for (const storeName of db.objectStoreNames) {
         const store = db.transaction(storeName, "readwrite").objectStore(storeName);
-        const keys = await new Promise<IDBValidKey[]>((resolve) => {
-          const asking = store.getAllKeys();
-          asking.onsuccess = () => resolve(asking.result);
-        });
-        for (const key of keys) {
+        for (const key of await keysOf(store)) {
           store.put({ broken: true }, key);
           count += 1;
         }

@@ -43,6 +43,16 @@ test("a new program leaves the one before it on the device", async () => {
   expect([...device.works.values()].map((file) => (file.job as Job).name).sort()).toEqual([job.name, "SECOND"].sort());
 });
 
+test("the list shows works that are closed before they are written", async () => {
+  const stop = startKeeping();
+  startWork({ ...job, name: "FIRST" });
+  startWork({ ...job, name: "SECOND" });
+  begin(null, null);
+  await refreshWorks();
+  stop();
+  expect(useKeeping.getState().works.map(({ name }) => name).sort()).toEqual(["FIRST", "SECOND"]);
+});
+
 test("a new tab continues the newest work", async () => {
   device.works.set("old", { savedAt: 1, job });
   device.works.set("new", { savedAt: 2, job: { ...job, name: "NEWEST" } });

@@ -273,8 +273,9 @@ export async function copyWork(work: string, nameOf: (name: string) => string): 
   if (job) startWork({ ...job, name: nameOf(job.name) });
 }
 
-/** Reads the list again, for the start page, where works may have been removed and room made. */
+/** Reads the list again, for the start page, where works may have been removed and room made: with what is only now being written. */
 export async function refreshWorks(): Promise<void> {
+  await write();
   await keepAgain();
   const found = await findWorks();
   useKeeping.setState((k) => ({ ...k, works: found.works, damaged: k.damaged + found.setAside }));
