@@ -14,6 +14,9 @@ const LOCK = "turnwise ";
 /** Works whose lock this tab holds, with what lets it go. */
 const mine = new Map<string, () => void>();
 
+/** Works that this tab has let go, until the browser has given their locks back. */
+const going = new Set<string>();
+
 /** Hear of a work that another tab took because this one did not answer. */
 export const onLost = new Set<(work: string) => void>();
 
@@ -145,11 +148,15 @@ export async function claimWork(work: string, steal = false): Promise<boolean> {
     const hold = (lock: Lock | null) => {
       if (!lock) return resolve(false);
       return new Promise<void>((release) => {
-        mine.set(work, release);
+        mine.set(work, () => {
+          going.add(work);
+          release();
+        });
         resolve(true);
       });
     };
-    void Promise.resolve(locks.request(LOCK + work, steal ? { steal } : { ifAvailable: true }, hold)).catch(() => {
+    const held = Promise.resolve(locks.request(LOCK + work, steal ? { steal } : { ifAvailable: true }, hold));
+    void held.finally(() => going.delete(work) && sayChanged()).catch(() => {
       resolve(false);
       if (mine.delete(work)) { for (const lost of onLost) lost(work); }
     });
@@ -169,12 +176,13 @@ export function releaseWork(work: string): void {
   release?.();
 }
 
-/** Works that other tabs have open; none where the browser does not say. */
+/** Works that other tabs have open; none where the browser does not say. What this tab lets go while it asks is still told of as held. */
 export async function worksElsewhere(): Promise<ReadonlySet<string>> {
   try {
+    const own = new Set([...mine.keys(), ...going]);
     const { held = [] } = await navigator.locks.query();
     const names = held.flatMap(({ name = "" }) => (name.startsWith(LOCK) ? [name.slice(LOCK.length)] : []));
-    return new Set(names.filter((work) => !mine.has(work)));
+    return new Set(names.filter((work) => !own.has(work) && !mine.has(work)));
   } catch {
     return new Set();
   }

@@ -1,0 +1,42 @@
+import { afterEach, expect, test, vi } from "vitest";
+import { claimWork, releaseWork, worksElsewhere } from "./tab.ts";
+
+/** Locks as browsers keep them: given back, and told of, a moment after they are let go. */
+function browserLocks(elsewhere: readonly string[]) {
+  const held = new Set(elsewhere);
+  return {
+    async request(name: string, _options: unknown, hold: (lock: unknown) => unknown) {
+      if (held.has(name)) return void await hold(null);
+      held.add(name);
+      await hold({ name });
+      await new Promise((done) => setTimeout(done, 5));
+      held.delete(name);
+    },
+    async query() {
+      const told = [...held].map((name) => ({ name }));
+      await new Promise((done) => setTimeout(done, 1));
+      return { held: told };
+    },
+  };
+}
+
+afterEach(() => vi.unstubAllGlobals());
+
+test("what this tab is letting go is not open in another tab, what another one has is", async () => {
+  vi.stubGlobal("navigator", { locks: browserLocks(["turnwise B"]) });
+  expect([await claimWork("A"), await claimWork("B")]).toEqual([true, false]);
+  const asked = worksElsewhere();
+  releaseWork("A");
+  expect([...await asked]).toEqual(["B"]);
+  expect([...await worksElsewhere()]).toEqual(["B"]);
+});
+
+test("a work that was let go and taken by another tab is open there", async () => {
+  const locks = browserLocks([]);
+  vi.stubGlobal("navigator", { locks });
+  await claimWork("C");
+  releaseWork("C");
+  await vi.waitFor(async () => expect((await locks.query()).held).toEqual([]));
+  void locks.request("turnwise C", {}, () => new Promise(() => undefined));
+  expect([...await worksElsewhere()]).toEqual(["C"]);
+});
