@@ -1,4 +1,4 @@
-import { Suspense, use, useCallback, useEffect, useRef, useState } from "react";
+import { Suspense, use, useEffect, useRef, useState } from "react";
 import { valueIn, withSlid } from "../../course/played.ts";
 import { programOfLines } from "../../course/start-of.ts";
 import type { Lesson } from "../../course/lesson.ts";
@@ -113,12 +113,11 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
   const at: LessonPage = typeof asked === "number" && asked > entry.pages ? entry.pages : asked;
   const main = useRef<HTMLElement>(null);
   const { back, on } = useWays(entry, at);
-  const turn = useCallback((by: -1 | 1) => {
+  useTurning(main, (by) => {
     const to = by < 0 ? back : on;
     // The list is not a page that one turns to.
     if (to && to.lesson === entry.id) goToCourse(to.lesson, to.page);
-  }, [back, on, entry.id]);
-  useTurning(main, turn);
+  });
   useEffect(() => noteLessonPage({ lesson: entry.id, number: entry.number, page: at }), [entry, at]);
   useEffect(() => {
     for (const each of main.current?.querySelectorAll(".lesson-body, .lesson-text") ?? []) each.scrollTop = 0;

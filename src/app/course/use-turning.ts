@@ -1,4 +1,4 @@
-import { useEffect, type RefObject } from "react";
+import { useEffect, useEffectEvent, type RefObject } from "react";
 
 /** A finger that goes so far across, and less than half of that up or down, turns the page, px. */
 const FAR = 60;
@@ -13,8 +13,9 @@ const scrolls = (page: HTMLElement | null): boolean =>
     each.scrollHeight > each.clientHeight + 1 && getComputedStyle(each).overflowY === "auto"
   );
 
-/** Pages are turned by the arrow and page keys, and by a finger across the text. */
-export function useTurning(page: RefObject<HTMLElement | null>, turn: (by: -1 | 1) => void): void {
+/** Pages are turned by the arrow and page keys, and by a finger across the text, also where the page is drawn anew on its way. */
+export function useTurning(page: RefObject<HTMLElement | null>, onTurn: (by: -1 | 1) => void): void {
+  const turn = useEffectEvent(onTurn);
   useEffect(() => {
     const onKey = (event: KeyboardEvent) => {
       const { key, target } = event;
@@ -29,7 +30,7 @@ export function useTurning(page: RefObject<HTMLElement | null>, turn: (by: -1 | 
     };
     document.addEventListener("keydown", onKey);
     return () => document.removeEventListener("keydown", onKey);
-  }, [page, turn]);
+  }, [page]);
 
   useEffect(() => {
     const element = page.current;
@@ -57,5 +58,5 @@ export function useTurning(page: RefObject<HTMLElement | null>, turn: (by: -1 | 
       element.removeEventListener("touchend", end);
       element.removeEventListener("touchcancel", lose);
     };
-  }, [page, turn]);
+  }, [page]);
 }
