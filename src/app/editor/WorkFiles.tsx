@@ -85,7 +85,11 @@ export function WorkFiles() {
   const program = useEditor((s) => s.program);
   const newest = useOutcome((s) => s.newest);
   const missing = useMemo(() => (program ? missingFiles(program, newest) : []), [program, newest]);
-  if (!program || filesOf(program).length + missing.length === 0) return null;
+  if (!program) return null;
+  const isAlone = filesOf(program).length + missing.length === 0;
+  // Whether a file that was taken out is missed is only known when the program has run without it.
+  const ranWithMore = newest?.files !== undefined && newest.files.length > 0;
+  if (isAlone && !ranWithMore) return null;
   return (
     <section className="work-files" aria-label={t.title}>
       <header>
