@@ -1,4 +1,4 @@
-import { useEffect, useId, useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
+import { memo, useEffect, useId, useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
 import type { Ring } from "../../kernel/point.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { texts } from "../settings/loaded-texts.ts";
@@ -61,6 +61,39 @@ const faultyRows = (reading: RowsReading) =>
     ),
   );
 
+/** An element, and the wider line that a pointer finds it by. Of a thousand only those that moved are rendered again. */
+const ElementLine = memo(
+  ({ row, d, active, faulty }: { readonly row: number; readonly d: string; readonly active: boolean; readonly faulty: boolean }) => (
+    <g data-row={row} className={[active ? "active" : "", faulty ? "faulty" : ""].join(" ").trim()}>
+      <path className="reach" d={d} />
+      <path className="element" d={d} />
+    </g>
+  )
+);
+ElementLine.displayName = "ElementLine";
+
+interface PointProps {
+  readonly row: number;
+  readonly x: ReturnType<typeof px>;
+  readonly y: ReturnType<typeof px>;
+  readonly active: boolean;
+  readonly faulty: boolean;
+  /** The middle of a rounding or a chamfer. */
+  readonly corner: boolean;
+  readonly labelX: ReturnType<typeof px> | null;
+  readonly labelY: ReturnType<typeof px> | null;
+}
+
+/** Where an element ends, with its number where there is room. */
+const PointMark = memo(({ row, x, y, active, faulty, corner, labelX, labelY }: PointProps) => (
+  <g className={`point${active ? " active" : ""}${faulty ? " faulty" : ""}`}>
+    <circle className="dot" cx={x} cy={y} r={corner ? 2.5 : 4.5} />
+    {faulty && <circle className="ring" cx={x} cy={y} r={9} />}
+    {labelX !== null && labelY !== null && <text x={labelX} y={labelY}>{faulty ? `${row + 1}!` : row + 1}</text>}
+  </g>
+));
+PointMark.displayName = "PointMark";
+
 /** The contour of the table, to look at and to edit: arcs as arcs, points numbered and to be dragged, faults at their element. */
 export function ContourDrawing({ rows, reading, active, language, canvas, onPick, onRows, onEdited }: Props) {
   const t = texts(language).contour, keysId = useId();
@@ -121,20 +154,12 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
           {large && <BlankOutline blank={blank} camera={picture.camera} />}
           <path className="axis" d={picture.axis} />
           {large && <ZeroMark at={toScreen(picture.camera, WORKPIECE_ZERO)} />}
-          {picture.elements.map((e, i) => (
-            <g key={i} data-row={e.row} className={[e.row === active ? "active" : "", e.faulty ? "faulty" : ""].join(" ").trim()}>
-              <path className="reach" d={e.d} />
-              <path className="element" d={e.d} />
-            </g>
-          ))}
+          {picture.elements.map((e, i) => <ElementLine key={i} row={e.row} d={e.d} active={e.row === active} faulty={e.faulty} />)}
           {large && <HoldSigns rows={rows} reading={reading} picture={picture} active={active} />}
-          {picture.points.map((p, i) => (
-            <g key={i} className={`point${p.row === active ? " active" : ""}${p.faulty ? " faulty" : ""}`}>
-              <circle className="dot" cx={px(p.place.x)} cy={px(p.place.y)}
-                r={rows[p.row]?.kind === "RND" || rows[p.row]?.kind === "CHF" ? 2.5 : 4.5} />
-              {p.faulty && <circle className="ring" cx={px(p.place.x)} cy={px(p.place.y)} r={9} />}
-              {p.label && <text x={px(p.label.x)} y={px(p.label.y)}>{p.faulty ? `${p.row + 1}!` : p.row + 1}</text>}
-            </g>
+          {picture.points.map((p) => (
+            <PointMark key={p.row} row={p.row} x={px(p.place.x)} y={px(p.place.y)} active={p.row === active} faulty={p.faulty}
+              corner={rows[p.row]?.kind === "RND" || rows[p.row]?.kind === "CHF"} labelX={p.label && px(p.label.x)}
+              labelY={p.label && px(p.label.y)} />
           ))}
           {pointing && pointing.size === null && (
             <SnapLines pointing={pointing} camera={picture.camera} size={size}

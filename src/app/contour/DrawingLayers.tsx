@@ -24,10 +24,12 @@ const BESIDE = 15, STEP = 17;
 export function HoldSigns({ rows, reading, picture, active }: { readonly rows: readonly ContourRow[]; readonly reading: RowsReading;
   readonly picture: ContourPicture; readonly active: number | null })
 {
+  const firstOf = new Map<number, number>();
+  for (const [segment, row] of reading.rowOfSegment.entries()) if (!firstOf.has(row)) firstOf.set(row, segment);
   return (
     <g className="holds" aria-hidden="true">
       {rows.map((row, i) => {
-        const read = reading.rows[i], own = reading.contour.segments[reading.rowOfSegment.indexOf(i)];
+        const read = reading.rows[i], own = reading.contour.segments[firstOf.get(i) ?? -1];
         const holds = read ? holdsOf(row, read) : [];
         if (!own || holds.length === 0) return null;
         const [a, b] = [toScreen(picture.camera, own.from), toScreen(picture.camera, own.to)], long = Math.hypot(b.x - a.x, b.y - a.y);

@@ -1,8 +1,9 @@
 import { part, type Pt, type Segment } from "../../kernel/point.ts";
 import { radians } from "../../kernel/units.ts";
 import { toScreen, type Camera, type Place, type Size } from "../camera.ts";
-import { labelsOverlap, textWidth, type LabelBox } from "../help/labels.ts";
+import { textWidth, type LabelBox } from "../help/labels.ts";
 import { arcPath, arrowHead, polyline } from "../help/marks.ts";
+import { boxesOn, placesOn } from "../help/sheet-grid.ts";
 
 /** What a dimension measures, and where on the part. Angles are degrees, counter-clockwise from +Z. */
 export type Measured = { readonly kind: "diameter" | "axial"; readonly at: Pt } | { readonly kind: "length"; readonly from: Pt;
@@ -187,9 +188,8 @@ const shared = (a: LabelBox, b: LabelBox): number =>
 const COVERING = 2;
 
 /** The first candidate, unless a later one covers that much less of the contour. */
-function clearest({ avoid }: DimensionSheet, possible: readonly Candidate[]): Candidate | undefined {
-  const cost = ({ box }: Candidate, i: number) =>
-    i + COVERING * avoid.filter((p) => p.x > box.x && p.x < box.x + box.width && p.y > box.y && p.y < box.y + box.height).length;
+function clearest(covered: (box: LabelBox) => number, possible: readonly Candidate[]): Candidate | undefined {
+  const cost = ({ box }: Candidate, i: number) => i + COVERING * covered(box);
   return possible.map((c, i) => ({ c, cost: cost(c, i) })).sort((a, b) => a.cost - b.cost)[0]?.c;
 }
 
@@ -199,14 +199,16 @@ function clearest({ avoid }: DimensionSheet, possible: readonly Candidate[]): Ca
  */
 export function placedDimensions(sheet: DimensionSheet, asked: readonly AskedDimension[]): PlacedDimension[] {
   const taken: LabelBox[] = [...sheet.kept], out: PlacedDimension[] = [];
+  const texts = boxesOn(sheet.size, sheet.kept), covered = placesOn(sheet.size, sheet.avoid);
   for (const one of [...asked].sort((a, b) => Number(b.needed) - Number(a.needed))) {
     if (!one.needed && !inSight(sheet, one)) continue;
     const possible = candidates(sheet, one);
-    const free = clearest(sheet, possible.filter(({ box }) => !taken.some((t) => labelsOverlap(t, box))));
+    const free = clearest(covered, possible.filter(({ box }) => !texts.isTaken(box)));
     const covers = (box: LabelBox) => taken.reduce((sum, t) => sum + shared(t, box), 0);
     const least = free ?? (one.needed ? possible.toSorted((a, b) => covers(a.box) - covers(b.box))[0] : undefined);
     if (!least) continue;
     taken.push(least.box);
+    texts.take(least.box);
     out.push({ key: one.key, box: least.box, ...least.draw() });
   }
   return out;

@@ -2,9 +2,10 @@ import { part, type Pt, type Segment } from "../../kernel/point.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { boundsOf } from "../bounds.ts";
 import { fitted, toPlace, toScreen, type Camera, type Margin, type Place, type Size } from "../camera.ts";
-import { labelsOverlap, textBox, type LabelBox } from "./labels.ts";
+import { textBox, type LabelBox } from "./labels.ts";
 import { polyline, px, segmentPath } from "./marks.ts";
 import { drawnLine } from "./section.ts";
+import { boxesOn, placesOn } from "./sheet-grid.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 
 const { pointOn } = part;
@@ -70,8 +71,15 @@ function nearby(points: readonly Pt[], beside: readonly Pt[]): readonly Pt[] {
   return beside.map((p) => part.point(between(own.left - by, p.z, own.right + by), between(own.low - by, p.r, own.high + by)));
 }
 
-/** A place for a number beside its point that covers no other number and no line. */
-function labelPlace(at: Place, text: string, wide: boolean, taken: readonly LabelBox[], line: readonly Place[], size: Size): Place | null {
+/** A place for a number beside its point that covers no other number and as little of the line as can be. */
+function labelPlace(
+  at: Place,
+  text: string,
+  wide: boolean,
+  isTaken: (box: LabelBox) => boolean,
+  covered: (box: LabelBox) => number,
+  size: Size,
+): Place | null {
   let best: Place | null = null;
   let least = Infinity;
   for (const reach of wide ? [20, 27] : [13, 19, 26])
@@ -80,11 +88,10 @@ function labelPlace(at: Place, text: string, wide: boolean, taken: readonly Labe
         x: at.x + reach * Math.cos((k * Math.PI) / 4 - Math.PI / 4),
         y: at.y + reach * Math.sin((k * Math.PI) / 4 - Math.PI / 4),
       };
-      const box = textBox(p, text, 0, 12);
-      if (box.x < 0 || box.y < 0 || box.x + box.width > size.width || box.y + box.height > size.height
-        || taken.some((b) => labelsOverlap(b, box))) continue;
-      const cost = reach / 10 + k / 10
-        + line.filter((q) => q.x > box.x && q.x < box.x + box.width && q.y > box.y && q.y < box.y + box.height).length * 3;
+      const box = textBox(p, text, 0, 12), far = reach / 10 + k / 10;
+      if (far >= least || box.x < 0 || box.y < 0 || box.x + box.width > size.width || box.y + box.height > size.height || isTaken(box))
+        continue;
+      const cost = far + covered(box) * 3;
       if (cost < least) [best, least] = [p, cost];
     }
   return best;
@@ -105,6 +112,9 @@ function gridPath(camera: Camera, size: Size, step: { readonly z: number; readon
   const level = multiples(low.r, high.r, step.r).map((r) => toScreen(camera, part.point(0, r)).y);
   return [...upright.map((x) => `M${px(x)} 0V${px(size.height)}`), ...level.map((y) => `M0 ${px(y)}H${px(size.width)}`)].join("");
 }
+
+/** Places along the contour that texts keep clear of, about: the many elements of a long one are short on the screen. */
+const MOST_PLACES = 4800;
 
 /** Draws the contour of a table as data. */
 export function contourDrawing(request: ContourRequest): ContourPicture {
@@ -129,14 +139,19 @@ export function contourDrawing(request: ContourRequest): ContourPicture {
     const before = stops.filter((s) => s.row < row).at(-1) ?? stops[0];
     return before ? [{ row, at: before.at }] : [];
   });
-  const avoid = contour.flatMap((s) => Array.from({ length: 24 }, (_, k) => toScreen(camera, pointOn(s, k / 24))));
-  const taken: LabelBox[] = [];
+  const each = Math.max(2, Math.min(24, Math.ceil(MOST_PLACES / contour.length)));
+  const avoid = contour.flatMap((s) => Array.from({ length: each }, (_, k) => toScreen(camera, pointOn(s, k / each))));
+  const covered = placesOn(size, avoid), numbers = boxesOn(size), kept: LabelBox[] = [];
   const marks = [...stops, ...corners, ...missing].sort((a, b) => Number(b.row === active) - Number(a.row === active) || a.row - b.row);
   const points = marks.map(({ row, at }) => {
     const place = toScreen(camera, at);
     const text = faulty.has(row) ? `${row + 1}!` : String(row + 1);
-    const label = labelPlace(place, text, faulty.has(row), taken, avoid, size);
-    if (label) taken.push(textBox(label, text, 0, 12));
+    const label = labelPlace(place, text, faulty.has(row), numbers.isTaken, covered, size);
+    const box = label && textBox(label, text, 0, 12);
+    if (box) {
+      numbers.take(box);
+      kept.push(box);
+    }
     return { row, place, label, faulty: faulty.has(row) };
   });
   const y = toScreen(camera, part.point(0, 0)).y;
@@ -147,6 +162,6 @@ export function contourDrawing(request: ContourRequest): ContourPicture {
     elements,
     points,
     avoid,
-    kept: taken,
+    kept,
   };
 }
