@@ -1,11 +1,10 @@
 import { readFileSync } from "node:fs";
+import { planner } from "../src/app/engine/plan.ts";
 import { parse } from "../src/nc/parse.ts";
-import { planMemory } from "../src/program/plan-memory.ts";
 import { run } from "../src/program/run.ts";
 import { shippedTools } from "../src/program/shipped-tools.ts";
 import { simulate, simulating } from "../src/sim/simulate.ts";
 import { tracing } from "../src/sim/tracing.ts";
-import { tracingAgain } from "../src/sim/tracing-again.ts";
 
 /** Programs of several operations that are changed at one of them. */
 const PROGRAMS = ["flange", "shaft"] as const;
@@ -28,12 +27,8 @@ export function changedAt(text: string, place: number | null, count: number): st
 
 /** Plans one state of a program after the other, as the page does with each key. */
 export function planningAgain(): (text: string) => ReturnType<typeof run> {
-  const [memory, traced] = [planMemory(), tracingAgain()];
-  return (text) => {
-    memory.next();
-    traced.next();
-    return run(parse(text), { ...shop, memory, tracing: traced.tracing });
-  };
+  const plan = planner(), table = { tools: shippedTools, mills: [], refused: new Map() };
+  return (text) => plan({ version: 0, text, table, rapid: shop.rapid, control: "TNC 640" }).run;
 }
 
 /** What a change of the first, the middle and the last operation costs: from the beginning, and from what is known of the state before. */

@@ -1,3 +1,4 @@
+import { ownText } from "./own-text.ts";
 import type { Block, BlockIssue, Program } from "./program.ts";
 import type { BlockLine } from "./read-cycle.ts";
 import { readLine } from "./read-line.ts";
@@ -47,7 +48,7 @@ function readBlock(text: string, s: Slice): Block {
   const before = known[s.open ? 1 : 0];
   let read = before.get(raw);
   if (!read) {
-    const own = ` ${raw}`.slice(1);
+    const own = ownText(raw);
     read = readWords(own, splitLines(own), { ...s, from: 0, to: own.length, first: 0, last: s.last - s.first, body: s.body - s.from });
     if (before.size >= MOST_KNOWN) before.clear();
     before.set(own, read);

@@ -1,3 +1,4 @@
+import { ownText } from "./own-text.ts";
 import { parse } from "./parse.ts";
 import type { Block, Program } from "./program.ts";
 
@@ -101,6 +102,26 @@ function meeting(
     offset += fresh[f]?.raw.length ?? 0;
   }
   return null;
+}
+
+/** What one text has become another by: everything between what both begin with and what both end with, in whole blocks. */
+function changeTo({ program: { blocks }, starts }: Reading, text: string): Change {
+  const whole = starts.at(-1) ?? 0, by = text.length - whole, most = Math.min(whole, text.length);
+  let [first, last] = [0, blocks.length];
+  while (first < blocks.length && text.startsWith(blocks[first]?.raw ?? "", starts[first])) first += 1;
+  const from = Math.min(starts[first] ?? 0, most);
+  while (last > first && (starts[last - 1] ?? 0) + by >= from && text.startsWith(blocks[last - 1]?.raw ?? "", (starts[last - 1] ?? 0) + by)) last -= 1;
+  const to = starts[last] ?? 0;
+  return { from, to, length: to + by - from };
+}
+
+/** Reads one state of a text after the other: of each only the blocks that are others than before, and those near them. */
+export function readingAgain(): (text: string) => Program {
+  let last: Reading | null = null;
+  return (text) => {
+    last = last ? reread(last, changeTo(last, text), (from, to) => ownText(text.slice(from, to))) : readingOf(text);
+    return last.program;
+  };
 }
 
 function spliced(old: Reading, first: number, end: number, fresh: readonly Block[]): Reading {

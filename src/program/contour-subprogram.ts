@@ -67,7 +67,7 @@ export function readContourOf(machine: Machine, { unit, label }: ContourSource, 
   };
   let i = start + 1;
   for (; i < unit.to; i += 1) {
-    machine.visited[i] = 1;
+    machine.visit(i);
     if (machine.isSkipped(i)) continue;
     const statement = machine.blocks[i]?.statement;
     if (!statement || (statement.kind === "label" && statement.label === 0) || statement.kind === "end") break;

@@ -39,11 +39,18 @@ export interface Ending {
   readonly told: boolean;
 }
 
+/** Where a run begins, and who sees it before each block while no call has to return and nothing was guessed or told. */
+export interface Course {
+  readonly from: number;
+  readonly watch?: (next: number) => void;
+}
+
 /** Runs block after block, with calls, repetitions, jumps and the programs that are called. */
-export function execute(machine: Machine, block: (s: Statement, index: number) => void): Ending {
+export function execute(machine: Machine, block: (s: Statement, index: number) => void, { from, watch }: Course): Ending {
   const flow: Flow = { machine, returns: [], repeats: new Map(), guessed: false };
-  let [next, told] = [0, false];
+  let [next, told] = [from, false];
   for (;;) {
+    if (watch && flow.returns.length === 0 && flow.repeats.size === 0 && !flow.guessed && !told) watch(next);
     if (next >= machine.unit.to) {
       const on = back(flow);
       if (on === null) return { index: next, word: null, told };
@@ -55,7 +62,7 @@ export function execute(machine: Machine, block: (s: Statement, index: number) =
     next += 1;
     const s = machine.blocks[index]?.statement;
     if (!s) continue;
-    machine.visited[index] = 1;
+    machine.visit(index);
     if (machine.isSkipped(index)) continue;
     if (s.kind === "label" && s.label === 0) next = fromLabel(flow, next);
     else if (s.kind === "label" && machine.unit.contours.has(s.label) && machine.labels.get(s.label) === index) {
@@ -113,7 +120,7 @@ function behindLabel(machine: Machine, index: number): number {
   let i = index + 1;
   for (; i < machine.unit.to; i += 1) {
     const s = machine.blocks[i]?.statement;
-    machine.visited[i] = 1;
+    machine.visit(i);
     if (s?.kind === "end") return i;
     if (s?.kind === "label" && s.label === 0) return i + 1;
   }

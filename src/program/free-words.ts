@@ -20,7 +20,7 @@ export function collectFree(machine: Machine, from: number): Collected {
   const [run, indices]: [FreeWritten[], number[]] = [[], []];
   for (let i = from; i < machine.blocks.length && indices.length < MOST; i += 1) {
     if (machine.isSkipped(i)) continue;
-    const s = machine.blocks[i]?.statement;
+    const s = machine.foresee(i);
     if (s?.kind === "free") {
       run.push({ s, block: machine.log.numbers[i] ?? i });
       if (isFreeElement(s)) indices.push(i);
@@ -32,7 +32,7 @@ export function collectFree(machine: Machine, from: number): Collected {
 /** FPOL stands in front of the elements that count from it. */
 function withPole(machine: Machine, from: number, run: readonly FreeWritten[]): readonly FreeWritten[] {
   for (let i = from - 1; i >= 0; i -= 1) {
-    const s = machine.blocks[i]?.statement;
+    const s = machine.foresee(i);
     if (s?.kind === "free" && s.form === "FPOL") return [{ s, block: machine.log.numbers[i] ?? i }, ...run];
     if (!s || (s.kind !== "free" && !BETWEEN.has(s.kind))) return run;
   }

@@ -12,18 +12,36 @@ const [TOOL_RADIUS, UNIT] = ["Q108", "Q113"] as const;
 /** Parameters that count in one subprogram or program only. */
 const LOCAL = /^QL/;
 
+/** What is known beside the values at a moment. */
+export type KnownMoment = Readonly<Pick<KnownValues, "bound" | "probed" | "trouble">> & {
+  readonly forgotten: ReadonlyMap<string, UnknownReason>;
+  readonly held: Texts;
+};
+
 /** What is known of the Q parameters while a program runs: a value that nobody knows is another thing than one that was never set. */
 export class KnownValues {
-  private readonly forgotten = new Map<string, UnknownReason>();
-  private readonly held = new Map<string, string>();
+  private readonly forgotten: Map<string, UnknownReason>;
+  private readonly held: Map<string, string>;
   /** Parameters that SQL BIND has tied to a column: a fetch writes into them. */
-  readonly bound = new Set<string>();
+  readonly bound: Set<string>;
   /** True once a touch probe has run: parameters that hold results are set, nobody here knows to what. */
-  probed = false;
+  probed: boolean;
   /** Why the last value without a number had none. */
-  trouble: UnknownReason = "told";
+  trouble: UnknownReason;
 
-  constructor(private readonly parameters: Parameters) {}
+  /** `at`: what was known at a moment of another run. */
+  constructor(private readonly parameters: Parameters, at?: KnownMoment) {
+    this.forgotten = new Map(at?.forgotten);
+    this.held = new Map(at?.held);
+    this.bound = new Set(at?.bound);
+    this.probed = at?.probed ?? false;
+    this.trouble = at?.trouble ?? "told";
+  }
+
+  get moment(): KnownMoment {
+    const { bound, probed, trouble, forgotten, held } = this;
+    return { probed, trouble, bound: new Set(bound), forgotten: new Map(forgotten), held: new Map(held) };
+  }
 
   set(name: string, value: number): void {
     this.parameters.set(name, value);

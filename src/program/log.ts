@@ -22,6 +22,17 @@ interface Appended {
 
 const IN_PROGRAM = {};
 
+/** How far a log was at a moment: of what is only added to, how much there was. */
+export interface LogMoment {
+  readonly counts: Readonly<Record<"steps" | "milled" | "operations" | "approaches" | "spindles" | "findings" | "unproved" | "stated"
+    | "said" | "left", number>>;
+  readonly datums: Run["datums"];
+  readonly firstBlank: readonly Ring[] | null;
+  readonly seconds: number;
+}
+
+const firstOf = <Value>(set: ReadonlySet<Value>, count: number): Set<Value> => new Set([...set].slice(0, count));
+
 /** What a run has done and said so far, each at its block. */
 export class Log {
   /** Number of each block, and its line in the text; of a block of another program, those of the block that called it. */
@@ -42,16 +53,57 @@ export class Log {
   /** Blanks that were stated after something had been cut, and the one before the first of them. */
   readonly stated: Stated[] = [];
   firstBlank: readonly Ring[] | null = null;
-  private readonly said = new Set<string>();
-  private readonly left = new Set<string>();
+  /** What turning has taken so far. */
+  seconds = 0;
+  private readonly said: Set<string> = new Set();
+  private readonly left: Set<string> = new Set();
 
   /** How many blocks the program itself has. */
   private readonly own: number;
 
-  constructor(private readonly program: Program) {
+  /** `before`: a log of the same blocks, what it held at a moment is taken over. */
+  constructor(private readonly program: Program, before?: { readonly log: Log; readonly at: LogMoment }) {
     this.own = program.blocks.length;
     this.numbers = blockNumbers(program);
     this.lines = startLines(program);
+    if (!before) return;
+    const { log, at: { counts, datums, firstBlank, seconds } } = before;
+    this.steps = log.steps.slice(0, counts.steps);
+    this.stepBlocks = log.stepBlocks.slice(0, counts.steps);
+    this.milled = log.milled.slice(0, counts.milled);
+    this.operations = log.operations.slice(0, counts.operations);
+    this.approaches = log.approaches.slice(0, counts.approaches);
+    this.datums = [...datums];
+    this.spindles = log.spindles.slice(0, counts.spindles);
+    this.findings = log.findings.slice(0, counts.findings);
+    this.unproved = log.unproved.slice(0, counts.unproved);
+    this.stated = log.stated.slice(0, counts.stated);
+    this.said = firstOf(log.said, counts.said);
+    this.left = firstOf(log.left, counts.left);
+    this.firstBlank = firstBlank;
+    this.seconds = seconds;
+  }
+
+  /** How far it is now; nothing of another program may have been said yet. */
+  get moment(): LogMoment {
+    const { steps, milled, operations, approaches, spindles, findings, unproved, stated, said, left, datums, firstBlank, seconds } = this;
+    return {
+      counts: {
+        steps: steps.length,
+        milled: milled.length,
+        operations: operations.length,
+        approaches: approaches.length,
+        spindles: spindles.length,
+        findings: findings.length,
+        unproved: unproved.length,
+        stated: stated.length,
+        said: said.size,
+        left: left.size,
+      },
+      datums: [...datums],
+      firstBlank,
+      seconds,
+    };
   }
 
   /** Adds the blocks of a program that is called. */
@@ -170,7 +222,7 @@ export class Log {
   allFindings(): RunFinding[] {
     const missing = new Set(this.findings.filter((f) => f.issue.code === "missing").map((f) => f.line));
     const order = (a: RunFinding, b: RunFinding) => (a.line ?? 0) - (b.line ?? 0);
-    return [...fewAlike(this.read(missing)), ...fewAlike(this.findings.sort(order))].sort(order);
+    return [...fewAlike(this.read(missing)), ...fewAlike(this.findings.toSorted(order))].sort(order);
   }
 
   /** What the reader found, less what is also said as a missing parameter. */

@@ -10,15 +10,15 @@ import { NO_TRANSFORM } from "./coordinates-frame.ts";
 import { formulaOf, textOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { FreeRun } from "./free-contour.ts";
-import { KnownValues } from "./known-values.ts";
-import { Log } from "./log.ts";
+import { KnownValues, type KnownMoment } from "./known-values.ts";
+import { Log, type LogMoment } from "./log.ts";
 import { AT_START, NO_SHIFT, NOT_PLACED, type Milling, type Modal, type Whereabouts } from "./modal.ts";
 import { pointIn } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
 import type { Control, Mill } from "./plane-types.ts";
 import type { PlanMemory } from "./plan-memory.ts";
 import { fileKey, type ProgramFiles } from "./program-files.ts";
-import { stepOf } from "./step-of.ts";
+import { stepOf, timed, type TimedSteps } from "./step-of.ts";
 import type { TracedBlank, Tracing } from "./tracing.ts";
 import { isSkipped, unitFrom, type Unit } from "./units.ts";
 
@@ -50,6 +50,18 @@ const MOST_MOVES = 1_200_000;
 const MOST_TURNED = 400_000;
 const MOST_OPERATIONS = 2_000;
 
+/** Where a run was between two blocks of its program, while no call had to return. */
+export interface Moment extends Readonly<Pick<Machine, "now" | "place" | "freePole" | "parameters" | "radii" | "definitions" | "called">> {
+  /** Blocks executed before: what is first looked at later has a higher count. */
+  readonly executed: number;
+  readonly known: KnownMoment;
+  readonly log: LogMoment;
+  /** Where the contours of turning and milling stood; none of them is being gathered. */
+  readonly here: readonly [turning: Guide["here"], milling: Guide["here"]];
+  /** What the memory of plans had been asked. */
+  readonly asked: number;
+}
+
 /** A program as it runs: what is in force, what was said and done, and the bounds that end a run. */
 export class Machine {
   /** The blocks of the program, and behind them those of the programs that it has called. */
@@ -61,23 +73,27 @@ export class Machine {
   /** The program that the block that runs has called: it runs next. */
   next: Unit | null = null;
   /** Radii of TOOL DEF lines, mm. */
-  readonly radii = new Map<Label, number>();
-  readonly parameters: Parameters = new Map();
-  readonly known = new KnownValues(this.parameters);
+  readonly radii: Map<Label, number>;
+  readonly parameters: Parameters;
+  readonly known: KnownValues;
   /** What is in force; a block that changes it puts a new one in its place. */
   now: Modal = AT_START;
   /** Where the tool stands; a move puts a new place in its place. */
   place: Whereabouts = NOT_PLACED;
   /** Blocks of definitions that were taken up, and of those that were called. */
-  readonly definitions = new Set<number>();
-  readonly called = new Set<number>();
-  /** Blocks that were run or read as part of a contour. */
-  readonly visited: Uint8Array;
+  readonly definitions: Set<number>;
+  readonly called: Set<number>;
+  /** How many blocks had been executed when a block was first run, or read as part of a contour; 0 for one that was not. */
+  readonly visited: Uint32Array;
+  /** The same for a block that was looked at from another one before it. */
+  readonly foreseen: Uint32Array;
   /** The contours that turning and milling are gathering. */
   readonly turnGuide: Guide = { chain: null, here: null };
   readonly millGuide: Guide = { chain: null, here: null };
   /** The blank that is traced, and the first step that has not cut it yet. */
   traced: { readonly blank: TracedBlank; next: number } | null = null;
+  /** True once any has been. */
+  hasTraced = false;
   /** The free contour that is being run. */
   freeRun: FreeRun | null = null;
   /** FPOL that counts until another does. */
@@ -86,11 +102,55 @@ export class Machine {
   private executed = 0;
   full = false;
 
-  constructor(readonly program: Program, readonly shop: Shop) {
+  /** `before`: a run of a program with the same blocks up to a moment, and that moment, from which this one goes on. */
+  constructor(readonly program: Program, readonly shop: Shop, before?: { readonly machine: Machine; readonly at: Moment }) {
+    const { machine, at } = before ?? {};
     this.blocks = program.blocks;
-    this.log = new Log(program);
-    this.visited = new Uint8Array(this.blocks.length);
+    this.log = new Log(program, machine && at && { log: machine.log, at: at.log });
+    this.parameters = new Map(at?.parameters);
+    this.known = new KnownValues(this.parameters, at?.known);
+    this.radii = new Map(at?.radii);
+    this.definitions = new Set(at?.definitions);
+    this.called = new Set(at?.called);
+    const upTo = (counts?: Uint32Array) => counts?.map((count) => (count <= (at?.executed ?? 0) ? count : 0));
+    this.visited = upTo(machine?.visited) ?? new Uint32Array(this.blocks.length);
+    this.foreseen = upTo(machine?.foreseen) ?? new Uint32Array(this.blocks.length);
     this.unit = this.takeUp(program, null, 0);
+    if (!at) return;
+    ({ now: this.now, place: this.place, freePole: this.freePole, executed: this.executed } = at);
+    [this.turnGuide.here, this.millGuide.here] = at.here;
+  }
+
+  /** Where the run is; null where a run of another program could not go on from, since something is under way that it would change. */
+  get moment(): Moment | null {
+    const { now, place, freePole, executed, turnGuide, millGuide } = this;
+    const isBetween = !turnGuide.chain && !millGuide.chain && !this.freeRun && !this.next && !this.full;
+    if (!isBetween || this.hasTraced || this.units.size > 1) return null;
+    return {
+      now,
+      place,
+      freePole,
+      executed,
+      parameters: new Map(this.parameters),
+      radii: new Map(this.radii),
+      definitions: new Set(this.definitions),
+      called: new Set(this.called),
+      known: this.known.moment,
+      log: this.log.moment,
+      here: [turnGuide.here, millGuide.here],
+      asked: this.shop.memory?.asked() ?? 0,
+    };
+  }
+
+  /** A block is run, or read as part of a contour. */
+  visit(index: number): void {
+    if (this.visited[index] === 0) this.visited[index] = this.executed;
+  }
+
+  /** The statement of a block that does not run yet, for one that hangs on what comes. */
+  foresee(index: number): Statement | undefined {
+    if (this.foreseen[index] === 0) this.foreseen[index] = this.executed;
+    return this.blocks[index]?.statement;
   }
 
   private takeUp(program: Program, file: string | null, from: number): Unit {
@@ -276,13 +336,14 @@ export class Machine {
     const { tool } = this.now;
     if (!this.roomForMove(index) || !tool) return;
     const motion = { from, move, tool, block: this.log.numbers[index] ?? 0, operation, ...this.log.lineOf(index) };
-    this.take([stepOf(motion, this.now.spindle, this.shop.rapid)], index);
+    this.take(timed([stepOf(motion, this.now.spindle, this.shop.rapid)]), index);
   }
 
-  /** Adds motions of the tool, for which there is room: the first of them goes on from where it was brought. */
-  take(steps: readonly Step[], index: number): void {
+  /** Adds motions of the tool, for which there is room, and what they take: the first of them goes on from where it was brought. */
+  take({ steps, seconds }: TimedSteps, index: number): void {
     const [first] = steps;
     if (!first) return;
+    this.log.seconds += seconds;
     this.log.countsFrom(this.now.datum.x, this.now.datum.z);
     this.log.turnsAt(this.now.spindle, this.now.backwards);
     const { brought } = this.place;

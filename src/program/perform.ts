@@ -5,7 +5,7 @@ import type { CallAnswer } from "./call-answer.ts";
 import type { Machine } from "./machine.ts";
 import type { Defined } from "./modal.ts";
 import type { Operation } from "./run-types.ts";
-import { stepOf } from "./step-of.ts";
+import { stepOf, timed, type TimedSteps } from "./step-of.ts";
 
 /** A cycle as it is called and planned. */
 export interface Performed extends Pick<Operation, "cycle" | "start" | "tool" | "contourLines"> {
@@ -26,13 +26,14 @@ function stepsOf(machine: Machine, { start, tool }: Performed, plan: Plan, index
 }
 
 /** The same, as the very steps of the run before where they were the same there. */
-function knownSteps(machine: Machine, performed: Performed, index: number): readonly Step[] {
+function knownSteps(machine: Machine, performed: Performed, index: number): TimedSteps {
   const { log, shop: { memory } } = machine;
   const { plan, name } = performed.answer;
-  if (!memory || name === undefined) return stepsOf(machine, performed, plan, index);
+  const make = () => timed(stepsOf(machine, performed, plan, index));
+  if (!memory || name === undefined) return make();
   const { file = "", line = 0 } = log.lineOf(index);
   const asked = `steps ${log.operations.length} ${log.numbers[index] ?? 0} ${line} ${file}\n${name}`;
-  return memory.once(asked, () => stepsOf(machine, performed, plan, index), (steps) => steps.length);
+  return memory.once(asked, make, ({ steps }) => steps.length);
 }
 
 /** Runs the moves of a plan, as far as there is room, and notes the operation. */
@@ -41,9 +42,9 @@ export function perform(machine: Machine, performed: Performed, index: number): 
   const { defined, answer: { plan, found, call }, ...called } = performed;
   const firstStep = log.steps.length;
   const all = knownSteps(machine, performed, index), { room } = machine;
-  const run = all.length <= room ? all : all.slice(0, room);
+  const run = all.steps.length <= room ? all : timed(all.steps.slice(0, room));
   machine.take(run, index);
-  if (run.length < all.length) machine.roomForMove(index);
+  if (run !== all) machine.roomForMove(index);
   const end = plan.moves.at(-1)?.to ?? called.start;
   machine.setPlace({ at: { x: toDiameter(end.r), y: null, z: end.z }, last: null });
   const { file, ...definition } = log.placeOf(defined.index);
@@ -58,7 +59,7 @@ export function perform(machine: Machine, performed: Performed, index: number): 
     call,
     feedUnit: machine.feedUnit,
     spindle: machine.now.spindle,
-    seconds: run.reduce((sum, step) => sum + step.seconds, 0),
+    seconds: run.seconds,
     firstStep,
     lastStep: log.steps.length - 1,
   });

@@ -13,6 +13,10 @@ export interface PlanMemory {
   same<Value extends object>(value: Value): Value;
   /** What stands for such a value in questions. */
   nameOf(value: object): string;
+  /** How many different answers this run has asked for. */
+  asked(): number;
+  /** A run that goes on from where the one before had asked for so many answers: they count as asked for. */
+  again(count: number): void;
   /** Another run begins. What the one before has asked for is kept in any case, older answers within bounds: steps are taken back. */
   next(): void;
 }
@@ -42,6 +46,17 @@ export function planMemory(): PlanMemory {
   const named = new WeakMap<object, Named>();
   const cycles = new WeakMap<Cycle, Cycle>();
   let [run, held, names] = [0, 0, 0];
+  /** What this run has asked, and the one before, in that order. */
+  let [asking, former]: [string[], readonly string[]] = [[], []];
+
+  /** An answer that this run asks for, unless it has done so before. */
+  const touch = (question: string, known: Kept): void => {
+    if (known.run === run) return;
+    known.run = run;
+    kept.delete(question);
+    kept.set(question, known);
+    asking.push(question);
+  };
 
   const once: PlanMemory["once"] = <Answer>(
     question: string,
@@ -49,11 +64,8 @@ export function planMemory(): PlanMemory {
     size: (answer: Answer) => number = () => 1,
   ): Answer => {
     const known = kept.get(question);
-    if (known?.run === run) return known.answer as Answer;
     if (known) {
-      known.run = run;
-      kept.delete(question);
-      kept.set(question, known);
+      touch(question, known);
       return known.answer as Answer;
     }
     names += 1;
@@ -61,9 +73,10 @@ export function planMemory(): PlanMemory {
     const made = { answer, size: size(answer), run };
     held += made.size;
     kept.set(question, made);
+    asking.push(question);
     return answer;
   };
-  const asked =
+  const askedOf =
     <Asked extends readonly unknown[], Answer>(name: string, make: (...values: Asked) => Answer) => (...values: Asked): Answer =>
       once(`${name} ${JSON.stringify(values)}`, () => make(...values));
   const first = (value: object): Named => {
@@ -74,13 +87,20 @@ export function planMemory(): PlanMemory {
   return {
     of(cycle) {
       const known = cycles.get(cycle)
-        ?? { ...cycle, plan: asked(`plan ${cycle.number}`, cycle.plan), outline: asked(`outline ${cycle.number}`, cycle.outline) };
+        ?? { ...cycle, plan: askedOf(`plan ${cycle.number}`, cycle.plan), outline: askedOf(`outline ${cycle.number}`, cycle.outline) };
       cycles.set(cycle, known);
       return known;
     },
     once,
     same: <Value extends object>(value: Value) => first(value).value as Value,
     nameOf: (value) => first(value).name,
+    asked: () => asking.length,
+    again(count) {
+      for (const question of former.slice(0, count)) {
+        const known = kept.get(question);
+        if (known) touch(question, known);
+      }
+    },
     next() {
       for (const [question, answer] of kept) {
         if (answer.run === run || (answer.run > run - MOST_RUNS && held <= MOST_KEPT)) break;
@@ -88,6 +108,7 @@ export function planMemory(): PlanMemory {
         held -= answer.size;
       }
       run += 1;
+      [asking, former] = [[], asking];
     },
   };
 }

@@ -141,8 +141,8 @@ const BETWEEN: ReadonlySet<Statement["kind"]> = new Set(["empty", "comment", "st
 function sayAlone({ carrier: { machine } }: Finishing, form: string, index: number): void {
   const step = form.startsWith("APPR") ? 1 : -1;
   let i = index + step;
-  while (BETWEEN.has(machine.blocks[i]?.statement.kind ?? "end")) i += step;
-  const unknown = machine.blocks[i]?.statement.kind === "free" || machine.place.lost === "unproved";
+  while (BETWEEN.has(machine.foresee(i)?.kind ?? "end")) i += step;
+  const unknown = machine.foresee(i)?.kind === "free" || machine.place.lost === "unproved";
   if (unknown) machine.log.leaveUnproved(form, index);
   else machine.log.say(programIssue("approachWithoutContour", "error", { form }), index);
 }

@@ -8,7 +8,7 @@ import { contourCycle, contourDefinition, selectContour } from "./contour-choice
 import { CONTOUR_CYCLE } from "./contour-names.ts";
 import { callCycle, cycleDefinition } from "./cycle-call.ts";
 import { datumLine, DATUM_CYCLE, resetDatum, shiftDatum, tableDatum } from "./datum.ts";
-import { execute, neverReached, wordsOf } from "./flow.ts";
+import { execute, neverReached, wordsOf, type Course } from "./flow.ts";
 import { runFree } from "./free-run.ts";
 import { programIssue } from "./issue.ts";
 import { Machine, type Shop } from "./machine.ts";
@@ -25,14 +25,18 @@ import { mirrorAxes, scaleAxes, transformedTurning, transformLine, transforms, t
 import { actingLine, actsAtOnce, isSilent, textBlock } from "./unproved-blocks.ts";
 
 /** Runs a program: executes block after block and plans every cycle that it calls. Never throws, always ends. */
-export function run(program: Program, shop: Shop): Run {
-  const machine = new Machine(program, shop);
-  machine.set({ turning: beginsTurning(program) });
+export const run = (program: Program, shop: Shop): Run => runToEnd(new Machine(program, shop), { from: 0 });
+
+/** Runs what a machine holds to its end, from its first block or from where another run was. */
+export function runToEnd(machine: Machine, course: Course): Run {
+  const { program } = machine;
   const begin = program.blocks.find((b) => b.statement.kind === "begin")?.statement;
   const frame = begin?.kind === "begin" ? begin : { name: "", unit: "MM" as const };
-  machine.set({ inch: frame.unit === "INCH" });
-  machine.known.setUnit(frame.unit === "INCH");
-  const ending = execute(machine, (s, index) => block(machine, s, index));
+  if (course.from === 0) {
+    machine.set({ turning: beginsTurning(program), inch: frame.unit === "INCH" });
+    machine.known.setUnit(frame.unit === "INCH");
+  }
+  const ending = execute(machine, (s, index) => block(machine, s, index), course);
   finish(machine);
   machine.endBrought();
   tellBox(machine);
@@ -59,11 +63,9 @@ export function run(program: Program, shop: Shop): Run {
     spindles: machine.log.spindles,
     unproved: machine.log.unproved,
     issues: machine.log.allFindings(),
-    seconds: secondsOfAll(machine.log.milled, secondsOfAll(machine.log.steps, 0)),
+    seconds: machine.log.milled.reduce((sum, s) => sum + s.seconds, machine.log.seconds),
   };
 }
-
-const secondsOfAll = (steps: readonly { readonly seconds: number }[], before: number) => steps.reduce((sum, s) => sum + s.seconds, before);
 
 /** True for what only turns: its spindle, and its cycles. */
 const isTurned = ({ statement: s }: Block) => s.kind === "spin" || (s.kind === "cycle" && cycleByNumber(s.cycle) !== undefined);

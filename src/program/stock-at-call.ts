@@ -5,6 +5,7 @@ import type { Machine } from "./machine.ts";
 /** FUNCTION TURNDATA BLANK: from here on the run knows what stands. */
 export function traceBlank(machine: Machine, rings: readonly Ring[]): void {
   const { shop, log } = machine;
+  machine.hasTraced = true;
   machine.traced = shop.tracing ? { blank: shop.tracing(rings), next: log.steps.length } : null;
 }
 

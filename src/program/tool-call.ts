@@ -75,7 +75,7 @@ function turnsLater(machine: Machine, index: number): boolean {
   const isMill = machine.now.mill.radius !== null;
   let turns = false;
   for (let i = index + 1; i < machine.unit.to; i += 1) {
-    const s = machine.blocks[i]?.statement;
+    const s = machine.foresee(i);
     if (s?.kind === "toolCall") return false;
     if (s?.kind === "mode") {
       turns = s.mode === "TURN";

@@ -80,6 +80,32 @@ test.each(["flange.h", "shaft.h", "turn-blank.h", "turn-traced.h", "turn-datum.h
   60_000,
 );
 
+/** All programs that ship or are held by tests, right and wrong ones: labels, jumps, calls, free contours, milling. */
+const all = Object.values(programs);
+
+/** Another digit in any block, as somebody types it: numbers, labels, words of any kind. */
+function typed(text: string, which: number, digit: number): string {
+  const places = [...text.matchAll(/(?<=\D)\d+/g)];
+  const place = places[which % Math.max(1, places.length)];
+  if (!place) return text;
+  const end = place.index + place[0].length;
+  return digit < 3 ? text.slice(0, end - 1) + text.slice(end) : `${text.slice(0, end)}${digit}${text.slice(end)}`;
+}
+
+test("typed digit by digit any program is planned as it is when it is planned anew", () => {
+  const digits = fc.array(fc.tuple(fc.nat(9973), fc.nat(9), fc.boolean()), { minLength: 2, maxLength: 5 });
+  fc.assert(fc.property(fc.constantFrom(...all), digits, (text, changes) => {
+    const plan = planner();
+    const texts = [text];
+    plan(requestOf(text));
+    for (const [which, digit, isUndone] of changes) {
+      texts.push(isUndone ? (texts.at(-2) ?? text) : typed(texts.at(-1) ?? text, which, digit));
+      const request = requestOf(texts.at(-1) ?? "");
+      expect(plan(request)).toEqual(planned(request));
+    }
+  }), { numRuns: 150 });
+}, 60_000);
+
 test("what a change leaves as it is is not planned again", () => {
   const plan = planner();
   const text = program("turn-blank.h");
@@ -101,6 +127,31 @@ test("an unchanged operation keeps its very steps, also when a change is taken b
   expect(keptBy(between)).toEqual(before?.operations.map((_, i, all) => i < all.length - 1));
   expect(keptBy(again)).toEqual(before?.operations.map(() => true));
   expect(before?.operations.length).toBeGreaterThan(3);
+});
+
+/** The program with another oversize in one of its cycles. */
+const otherOversize = (text: string, which: number, digits: string): string => {
+  let count = -1;
+  return text.replace(/Q484=\+[\d.]+/g, (given) => ((count += 1) === which ? `Q484=+0.${digits}` : given));
+};
+
+test.each([1, 4, 7])("what comes before a change of operation %i is not run again", (which) => {
+  const plan = planner();
+  const text = program("flange.h");
+  const before = plan(requestOf(text)).run.operations;
+  const after = plan(requestOf(otherOversize(text, which, "13"))).run.operations;
+  expect(after.map((operation, i) => operation === before[i])).toEqual(before.map((_, i) => i < which));
+});
+
+test("what was not run again for a long time is still known", () => {
+  const plan = planner();
+  const text = program("flange.h");
+  const { steps, operations } = plan(requestOf(text)).run;
+  for (let i = 0; i < 40; i += 1) plan(requestOf(otherOversize(text, 5, `1${i}`)));
+  const again = plan(requestOf(otherOversize(text, 0, "17"))).run;
+  const known = (at: number) => again.steps.slice(again.operations[at]?.firstStep, (again.operations[at]?.lastStep ?? 0) + 1);
+  expect(again.operations[0]).not.toEqual(operations[0]);
+  for (const at of [1, 2]) expect(known(at).every((step, i) => step === steps[(operations[at]?.firstStep ?? 0) + i])).toBe(true);
 });
 
 test("a tool that changes is another tool, and one that comes as a copy is the same", () => {
