@@ -40,13 +40,13 @@ export interface Ending {
 }
 
 /** Where a run begins, and who sees it before each block while no call has to return and nothing was guessed or told. */
-export interface Course {
+export interface RunCourse {
   readonly from: number;
   readonly watch?: (next: number) => void;
 }
 
 /** Runs block after block, with calls, repetitions, jumps and the programs that are called. */
-export function execute(machine: Machine, block: (s: Statement, index: number) => void, { from, watch }: Course): Ending {
+export function execute(machine: Machine, block: (s: Statement, index: number) => void, { from, watch }: RunCourse): Ending {
   const flow: Flow = { machine, returns: [], repeats: new Map(), guessed: false };
   let [next, told] = [from, false];
   for (;;) {

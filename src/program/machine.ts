@@ -51,7 +51,7 @@ const MOST_TURNED = 400_000;
 const MOST_OPERATIONS = 2_000;
 
 /** Where a run was between two blocks of its program, while no call had to return. */
-export interface Moment extends Readonly<Pick<Machine, "now" | "place" | "freePole" | "parameters" | "radii" | "definitions" | "called">> {
+export interface RunMoment extends Readonly<Pick<Machine, "now" | "place" | "freePole" | "parameters" | "radii" | "definitions" | "called">> {
   /** Blocks executed before: what is first looked at later has a higher count. */
   readonly executed: number;
   readonly known: KnownMoment;
@@ -103,7 +103,7 @@ export class Machine {
   full = false;
 
   /** `before`: a run of a program with the same blocks up to a moment, and that moment, from which this one goes on. */
-  constructor(readonly program: Program, readonly shop: Shop, before?: { readonly machine: Machine; readonly at: Moment }) {
+  constructor(readonly program: Program, readonly shop: Shop, before?: { readonly machine: Machine; readonly at: RunMoment }) {
     const { machine, at } = before ?? {};
     this.blocks = program.blocks;
     this.log = new Log(program, machine && at && { log: machine.log, at: at.log });
@@ -122,7 +122,7 @@ export class Machine {
   }
 
   /** Where the run is; null where a run of another program could not go on from, since something is under way that it would change. */
-  get moment(): Moment | null {
+  get moment(): RunMoment | null {
     const { now, place, freePole, executed, turnGuide, millGuide } = this;
     const isBetween = !turnGuide.chain && !millGuide.chain && !this.freeRun && !this.next && !this.full;
     if (!isBetween || this.hasTraced || this.units.size > 1) return null;

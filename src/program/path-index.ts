@@ -44,7 +44,6 @@ interface PathIndex {
   /** Blocks of the program that made steps, in the order of the text, and the stretches of each. */
   readonly blocks: readonly number[];
   readonly ofBlock: ReadonlyMap<number, readonly MoveSpan[]>;
-  readonly ofFile: ReadonlyMap<string, readonly MoveSpan[]>;
   readonly definedAt: ReadonlyMap<string, readonly number[]>;
   readonly contourAt: ReadonlyMap<string, readonly ContourPlace[]>;
 }
@@ -61,13 +60,14 @@ function noted<K, V>(map: Map<K, V[]>, key: K, value: V): void {
 export function stretchesBy<S, K>(steps: readonly S[], keyAt: (step: S, i: number) => K | null): Map<K, MoveSpan[]> {
   const all = new Map<K, MoveSpan[]>();
   let first = 0;
-  steps.forEach((step, i) => {
-    const key = keyAt(step, i);
-    const next = steps[i + 1];
-    if (next !== undefined && keyAt(next, i + 1) === key) return;
+  let next = steps.length > 0 ? keyAt(steps[0] as S, 0) : null;
+  for (let i = 0; i < steps.length; i += 1) {
+    const key = next, isLast = i + 1 === steps.length;
+    next = isLast ? null : keyAt(steps[i + 1] as S, i + 1);
+    if (next === key && !isLast) continue;
     if (key !== null) noted(all, key, { first, last: i });
     first = i + 1;
-  });
+  }
   return all;
 }
 
@@ -82,7 +82,6 @@ function indexOf({ steps, stepBlocks, operations }: Run): PathIndex {
   return {
     blocks: [...ofBlock.keys()].sort((a, b) => a - b),
     ofBlock,
-    ofFile: stretchesBy(steps, (step) => (step.line === undefined ? null : keyOf(step.file, step.line))),
     definedAt,
     contourAt,
   };
@@ -177,12 +176,12 @@ function ofBlocks(run: Run, { span: { from, to }, line }: Extract<PathChoice, { 
 }
 
 function ofFileBlock(run: Run, { file, line }: Extract<PathChoice, { kind: "inFile" }>): Marked {
-  const { ofFile, definedAt, contourAt } = pathIndex(run);
-  const own = ofFile.get(keyOf(file, line));
+  const { definedAt, contourAt } = pathIndex(run), key = keyOf(file, line);
+  const own = stretchesBy(run.steps, (step) => (step.line !== undefined && keyOf(step.file, step.line) === key ? true : null)).get(true);
   if (own) return marking(own);
-  const defined = definedAt.get(keyOf(file, line));
+  const defined = definedAt.get(key);
   if (defined) return marking(defined.flatMap((operation) => stretchOf(run, operation)));
-  const contour = contourAt.get(keyOf(file, line));
+  const contour = contourAt.get(key);
   return contour ? alongContour(run, contour) : NOTHING;
 }
 

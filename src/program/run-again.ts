@@ -1,13 +1,13 @@
 import type { Block, Program } from "../nc/program.ts";
 import type { Statement } from "../nc/statement.ts";
-import { Machine, type Moment, type Shop } from "./machine.ts";
+import { Machine, type RunMoment, type Shop } from "./machine.ts";
 import { runToEnd } from "./run.ts";
 import type { Run } from "./run-types.ts";
 
 /** A place that a run has passed: before a block, and what was in force there. */
 interface Passed {
   readonly next: number;
-  readonly moment: Moment;
+  readonly moment: RunMoment;
 }
 
 /** Programs that can be called. */

@@ -8,7 +8,7 @@ import { contourCycle, contourDefinition, selectContour } from "./contour-choice
 import { CONTOUR_CYCLE } from "./contour-names.ts";
 import { callCycle, cycleDefinition } from "./cycle-call.ts";
 import { datumLine, DATUM_CYCLE, resetDatum, shiftDatum, tableDatum } from "./datum.ts";
-import { execute, neverReached, wordsOf, type Course } from "./flow.ts";
+import { execute, neverReached, wordsOf, type RunCourse } from "./flow.ts";
 import { runFree } from "./free-run.ts";
 import { programIssue } from "./issue.ts";
 import { Machine, type Shop } from "./machine.ts";
@@ -28,7 +28,7 @@ import { actingLine, actsAtOnce, isSilent, textBlock } from "./unproved-blocks.t
 export const run = (program: Program, shop: Shop): Run => runToEnd(new Machine(program, shop), { from: 0 });
 
 /** Runs what a machine holds to its end, from its first block or from where another run was. */
-export function runToEnd(machine: Machine, course: Course): Run {
+export function runToEnd(machine: Machine, course: RunCourse): Run {
   const { program } = machine;
   const begin = program.blocks.find((b) => b.statement.kind === "begin")?.statement;
   const frame = begin?.kind === "begin" ? begin : { name: "", unit: "MM" as const };

@@ -40,15 +40,20 @@ export type KnownLines = WeakMap<Step, { readonly steps: readonly Step[]; readon
 
 /** Steps of calls that stay the same are the very same; what moves between them is made anew with each run. */
 const drawsAlike = (a: Step | undefined, b: Step | undefined): boolean =>
-  a === b
-  || (a?.operation === null && b?.operation === null && a.move.kind !== "arc" && pathRole(a.move) === pathRole(b.move)
-    && moveData(a.from, a.move) === moveData(b.from, b.move) && startData(a.from) === startData(b.from));
+  a?.operation === null && b?.operation === null && a.move.kind !== "arc" && pathRole(a.move) === pathRole(b.move)
+  && moveData(a.from, a.move) === moveData(b.from, b.move) && startData(a.from) === startData(b.from);
+
+/** Whether some steps draw what others draw from an index on. */
+function isAlike(some: readonly Step[], others: readonly Step[], from: number): boolean {
+  for (let i = 0; i < some.length; i += 1) if (some[i] !== others[from + i] && !drawsAlike(some[i], others[from + i])) return false;
+  return true;
+}
 
 function linesOf(steps: readonly Step[], from: number, to: number, known: KnownLines): Drawn {
   let called = from;
   while (called < to - 1 && steps[called]?.operation === null) called += 1;
   const key = steps[called], have = key && known.get(key);
-  if (have?.steps.length === to - from && have.steps.every((step, i) => drawsAlike(step, steps[from + i]))) return have.drawn;
+  if (have?.steps.length === to - from && isAlike(have.steps, steps, from)) return have.drawn;
   const own = steps.slice(from, to), drawn = { shapes: toolpath(own), ways: tipWays(own) };
   if (key) known.set(key, { steps: own, drawn });
   return drawn;
@@ -65,15 +70,16 @@ export function pathStretches(
   most = MOST_STRETCHES,
   known: KnownLines = new WeakMap(),
 ): readonly PathStretch[] {
-  const least = leastOf(last - first + 1, most);
+  const least = leastOf(last - first + 1, most), shortest = Math.ceil(least / 2);
   const out: PathStretch[] = [];
   let from = first;
-  for (let i = first; i <= last; i += 1) {
+  for (let i = Math.max(first, Math.min(last, first + shortest - 1)); i <= last; i += 1) {
     const here = steps[i] as Step, next = steps[i + 1], size = i - from + 1;
     const ends = i === last || !next || (size >= least ? begins(here, next) : 2 * size >= least && beginsCall(here, next));
     if (!ends) continue;
     out.push({ first: from, last: i, ...linesOf(steps, from, i + 1, known) });
     from = i + 1;
+    i = Math.max(i, Math.min(last, from + shortest - 1) - 1);
   }
   return out;
 }

@@ -34,11 +34,20 @@ export const RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10, 25, 50, 100] as const;
 
 const START: PlayPosition = { step: 0, fraction: 0 };
 
+type Timed = readonly { readonly seconds: number }[];
+
+/** Several places ask for that of one run. */
+const tracks = new WeakMap<Timed, PlayedTrack>();
+
 /** The track of moves that last so long; a duration that is no number counts as none. */
-export function trackOf(steps: readonly { readonly seconds: number }[]): PlayedTrack {
+export function trackOf(steps: Timed): PlayedTrack {
+  const known = tracks.get(steps);
+  if (known) return known;
   let total = 0;
   const ends = steps.map((s) => (total += Number.isFinite(s.seconds) && s.seconds > 0 ? s.seconds : 0));
-  return { ends, total };
+  const track = { ends, total };
+  tracks.set(steps, track);
+  return track;
 }
 
 /** Where the playback stands before anything is loaded or played. */

@@ -1,7 +1,9 @@
 import { useEffect, type ReactNode } from "react";
 import { formatFixed } from "../../i18n/number.ts";
+import type { Step } from "../../kernel/step.ts";
 import type { Program } from "../../nc/program.ts";
 import { operationsOf } from "../../program/operations.ts";
+import type { Run } from "../../program/run-types.ts";
 import { compareFromHere, followComparing } from "../effect/before.ts";
 import type { ComparedNumber } from "../effect/changes.ts";
 import { effectNow } from "../effect/effect.ts";
@@ -22,6 +24,18 @@ function toolCalls({ blocks }: Program): number {
   return called.filter((tool, i) => tool !== called[i - 1]).length;
 }
 
+/** How often a run changes the tool; a call of a cycle keeps the one that it has. */
+function changesOf({ steps, operations }: Run): number {
+  let changes = 0, last: number | null = null;
+  for (let i = 0; i < steps.length; i += 1) {
+    const { tool, operation } = steps[i] as Step;
+    if (tool.T !== last) changes += 1;
+    last = tool.T;
+    if (operation !== null) i = Math.max(i, operations[operation]?.lastStep ?? i);
+  }
+  return changes;
+}
+
 /** What the whole program does: operations, passes, tool changes, time, what stays, and the proof. */
 export function TotalsStrip() {
   const t = useTexts();
@@ -39,10 +53,7 @@ export function TotalsStrip() {
   ) => (value === undefined || value === null ? words.unknown : formatFixed(language, value, decimals));
   const program = useSession((s) => s.reading.program), run = shown?.run;
   // Milled motions know neither tool nor operation: those of the text are counted then.
-  const tools = run
-    && (run.plane.length > 0
-      ? toolCalls(program)
-      : run.steps.reduce((n, step, i, all) => (step.tool.T === all[i - 1]?.tool.T ? n : n + 1), 0));
+  const tools = run && (run.plane.length > 0 ? toolCalls(program) : changesOf(run));
   const operations = run && (run.operations.length || (run.plane.length > 0 ? operationsOf(program).units.length : 0));
   useEffect(() => {
     const stop = followComparing();

@@ -2,8 +2,9 @@ import { useMemo } from "react";
 import { cycleByNumber } from "../../cycles/index.ts";
 import type { SomeValues } from "../../cycles/effect.ts";
 import { loadAdvice } from "../../i18n/load-advice.ts";
+import type { Plan } from "../../kernel/plan.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
-import type { Operation, Run } from "../../program/run-types.ts";
+import type { Operation } from "../../program/run-types.ts";
 import { advise, type Advice } from "../../report/advice/advise.ts";
 import { readCuttingTable, usualTable, type CutMaterial, type CuttingTable } from "../../program/cutting-table.ts";
 import { useOutcome } from "../engine/outcome.ts";
@@ -39,10 +40,21 @@ export interface AdvisedCall extends Pick<Operation, "definedLine" | "definedFil
   readonly advice: readonly Advice[];
 }
 
+/** By plans, which stay the same objects from run to run where nothing of them changes. */
+const smallest = new WeakMap<Plan, number>();
+
 /** The smallest diameter at which an operation cuts, mm. */
-function smallestOf({ steps }: Run, { firstStep, lastStep }: Operation): number {
-  const places = steps.slice(firstStep, lastStep + 1).flatMap(({ from, move }) => (move.kind === "rapid" ? [] : [from.r, move.to.r]));
-  return toDiameter(radius(Math.min(...places.map(Math.abs))));
+function smallestOf({ plan, start }: Operation): number {
+  const known = smallest.get(plan);
+  if (known !== undefined) return known;
+  let [from, least] = [start, Infinity];
+  for (const { kind, to } of plan.moves) {
+    if (kind !== "rapid") least = Math.min(least, Math.abs(from.r), Math.abs(to.r));
+    from = to;
+  }
+  const found = toDiameter(radius(least));
+  smallest.set(plan, found);
+  return found;
 }
 
 /** Advice on every call of the open work; nothing while it makes no path. */
@@ -63,7 +75,7 @@ export function useAdvisedCalls(): readonly AdvisedCall[] {
         spindle: each.spindle,
         perRevolution: each.feedUnit === "mm/rev",
         depth: each.plan.infeed,
-        smallest: smallestOf(run, each),
+        smallest: smallestOf(each),
         material,
         table,
       });
