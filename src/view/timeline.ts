@@ -18,26 +18,34 @@ export interface TimeBar {
 
 /** Boundaries nearer than this part of the bar would only make it grey. */
 const NEAR = 0.006;
+/** Stretches of a kind that lie this near, as a part of the bar, are one: no screen shows what is between them. */
+const ONE = 1 / 8000;
 
 const n = (v: number) => String(Math.round(v * 1e5) / 1e5);
+
+interface Stretched {
+  readonly from: number;
+  to: number;
+}
+
+const barsOf = (stretches: readonly Stretched[]): string =>
+  stretches.map(({ from, to }) => `M${n(from)} 0H${n(to)}V1H${n(from)}Z`).join("");
 
 /** Merges the steps of a run into stretches: rapids low, cutting high. */
 export function timeBar(steps: readonly TimedStep[], track: PlayedTrack): TimeBar {
   const whole = track.total > 0 ? track.total : 1;
-  const paths = { cutting: "", rapid: "" }, boundaries: number[] = [];
+  const cutting: Stretched[] = [], rapid: Stretched[] = [], boundaries: number[] = [];
   const operations: { operation: number; from: number; to: number }[] = [];
-  let from = 0, begun = 0;
+  let from = 0;
   steps.forEach((step, i) => {
-    const to = (track.ends[i] ?? 0) / whole, kind = step.move.kind === "rapid" ? "rapid" : "cutting", next = steps[i + 1];
-    if (!next || (next.move.kind === "rapid") !== (kind === "rapid")) {
-      if (to > begun) paths[kind] += `M${n(begun)} 0H${n(to)}V1H${n(begun)}Z`;
-      begun = to;
-    }
+    const to = (track.ends[i] ?? 0) / whole, kind = step.move.kind === "rapid" ? rapid : cutting, last = kind.at(-1);
+    if (last && from - last.to < ONE) last.to = to;
+    else if (to > from) kind.push({ from, to });
     if (to - (boundaries.at(-1) ?? 0) > NEAR && to < 1) boundaries.push(to);
     const open = operations.at(-1), joins = open && step.operation === open.operation && steps[i - 1]?.operation === step.operation;
     if (joins) open.to = to;
     else if (step.operation !== null) operations.push({ operation: step.operation, from, to });
     from = to;
   });
-  return { ...paths, boundaries, operations };
+  return { cutting: barsOf(cutting), rapid: barsOf(rapid), boundaries, operations };
 }

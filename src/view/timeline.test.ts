@@ -1,0 +1,32 @@
+import { expect, test } from "vitest";
+import { trackOf } from "./playback.ts";
+import { timeBar, type TimedStep } from "./timeline.ts";
+
+const step = (kind: string, seconds: number, operation: number | null = 0): TimedStep & { readonly seconds: number } => ({
+  move: { kind },
+  operation,
+  seconds,
+});
+
+test("the bar has a stretch for each run of cuts and of rapids, as parts of the time", () => {
+  const steps = [step("rapid", 1.7), step("feed", 3), step("arc", 2.1), step("rapid", 1), step("feed", 2.2)];
+  expect(timeBar(steps, trackOf(steps))).toMatchObject({
+    rapid: "M0 0H0.17V1H0ZM0.68 0H0.78V1H0.68Z",
+    cutting: "M0.17 0H0.68V1H0.17ZM0.78 0H1V1H0.78Z",
+    operations: [{ operation: 0, from: 0, to: 1 }],
+  });
+});
+
+test("what no screen could show apart is one stretch, and nothing of it is lost", () => {
+  const steps = Array.from({ length: 50_000 }, (_, i) => step(i % 2 === 0 ? "feed" : "rapid", i % 2 === 0 ? 0.31 : 0.02));
+  const { cutting, rapid } = timeBar(steps, trackOf(steps));
+  expect(cutting).toMatch(/^M0 0H(?:0\.9999\d*|1)V1H0Z$/);
+  expect(rapid).toMatch(/^M0\.0000\d+ 0H1V1H0\.0000\d+Z$/);
+});
+
+test("what takes no time has no stretch, and a call that is left and taken up again has two names", () => {
+  const steps = [step("rapid", 0), step("feed", 4, 0), step("feed", 1, null), step("feed", 5, 0), step("rapid", 0, 1)];
+  const { rapid, operations } = timeBar(steps, trackOf(steps));
+  expect(rapid).toBe("");
+  expect(operations.map(({ operation, from, to }) => [operation, from, to])).toEqual([[0, 0, 0.4], [0, 0.5, 1], [1, 1, 1]]);
+});
