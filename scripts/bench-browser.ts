@@ -86,8 +86,8 @@ async function measureScreen(browser: Browser, address: string, screen: Screen, 
       begin(`${screen.name}: ${work.name} key … `);
       const bench = await openBench(browser, address, screen, true);
       await openWork(bench, work);
-      const { path, picture } = keys[work.name] = await measureKeys(bench, work, options);
-      say(`path ${path.median.toFixed(0)} ms, stock ${picture.median.toFixed(0)} ms`);
+      const { path, picture, long } = keys[work.name] = await measureKeys(bench, work, options);
+      say(`path ${path.median.toFixed(0)} ms, stock ${picture.median.toFixed(0)} ms, ${long} long tasks`);
       await bench.context.close();
     }
   }

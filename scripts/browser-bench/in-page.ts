@@ -65,6 +65,8 @@ export interface Watched {
   asked: number;
   /** When a key went down, the picture changed or the worker answered last. */
   stir: number;
+  /** Tasks of more than 50 ms since a key went down: how long each of them took. */
+  tasks: number[];
 }
 
 declare global {
@@ -78,7 +80,7 @@ declare global {
  * asked of the worker. A change counts when the frame that shows it is painted, as far as the page's own thread goes.
  */
 export function watchDrawing(): void {
-  const watched: Watched = { key: 0, path: 0, picture: 0, asked: 0, stir: 0 };
+  const watched: Watched = { key: 0, path: 0, picture: 0, asked: 0, stir: 0, tasks: [] };
   window.__watched = watched;
   /** Changes that the next painted frame shows. */
   let path = false, picture = false;
@@ -102,6 +104,7 @@ export function watchDrawing(): void {
   addEventListener("keydown", (event) => {
     watched.key = watched.stir = event.timeStamp;
     watched.path = watched.picture = 0;
+    watched.tasks = [];
     path = picture = false;
   }, { capture: true });
   new MutationObserver((records) => {
@@ -120,6 +123,9 @@ export function watchDrawing(): void {
       },
     });
   }
+  new PerformanceObserver((list) => {
+    for (const { duration, startTime } of list.getEntries()) if (startTime + duration > watched.key) watched.tasks.push(Math.round(duration));
+  }).observe({ type: "longtask" });
   const Native = Worker;
   window.Worker = class extends Native {
     constructor(...given: ConstructorParameters<typeof Worker>) {
@@ -136,14 +142,14 @@ export function watchDrawing(): void {
   };
 }
 
-/** Waits for the path, and then until nothing has stirred for so long; what it took from the key to both, null where nothing was drawn. */
+/** Waits for the path, and then until nothing has stirred for so long; what it took to both, null where nothing was drawn, and long tasks. */
 export async function drawnAfterKey({ quiet, patience }: { readonly quiet: number; readonly patience: number }): Promise<
-  { readonly path: number | null; readonly picture: number | null }
+  { readonly path: number | null; readonly picture: number | null; readonly tasks: readonly number[] }
 > {
   const watched = window.__watched;
   if (!watched) throw new Error("the page is not watched");
   const { key } = watched, goesOn = () => watched.path === 0 || watched.asked > 0 || performance.now() - watched.stir < quiet;
   while (goesOn() && performance.now() - key < patience) await new Promise((done) => setTimeout(done, quiet / 10));
   const since = (time: number) => (time > 0 ? time - key : null);
-  return { path: since(watched.path), picture: since(watched.picture) };
+  return { path: since(watched.path), picture: since(watched.picture), tasks: watched.tasks };
 }

@@ -26,6 +26,9 @@ export interface KeyResult {
   readonly path: { readonly median: number; readonly p95: number };
   readonly picture: { readonly median: number; readonly p95: number };
   readonly keys: number;
+  /** Tasks of more than 50 ms from a key until the picture is whole, of all keys, and the longest of them. */
+  readonly long: number;
+  readonly longest: number;
 }
 
 /** Everything that was measured on one screen. */
@@ -180,16 +183,18 @@ export async function measureKeys(bench: Bench, work: MeasuredWork, options: Ben
   await work.ask(turnwise);
   await turnwise.dialog.value.fill("0.1");
   await bench.slow("page");
-  const paths: number[] = [], pictures: number[] = [], references: number[] = [];
+  const paths: number[] = [], pictures: number[] = [], references: number[] = [], long: number[] = [];
   for (let key = -2; key < options.keys; key += 1) {
     if (key % 4 === 0) references.push(await referenceIn(page));
     await page.keyboard.press(key % 2 === 0 ? String(3 + (Math.abs(key) % 7)) : "Backspace");
-    const { path, picture } = await page.evaluate(drawnAfterKey, SEEN);
+    const { path, picture, tasks } = await page.evaluate(drawnAfterKey, SEEN);
     if (key < 0) continue;
+    long.push(...tasks);
     paths.push(path ?? Number.NaN);
     pictures.push(picture ?? Number.NaN);
   }
   if (paths.some(Number.isNaN)) throw new Error(`a key in ${work.name} drew no other path`);
   const of = (times: readonly number[]) => ({ median: middle(times), p95: quantile(times, 0.95) });
-  return { reference: middle(references), path: of(paths), picture: of(pictures), keys: paths.length };
+  return { reference: middle(references), path: of(paths), picture: of(pictures), keys: paths.length, long: long.length,
+    longest: Math.max(0, ...long) };
 }

@@ -13,6 +13,8 @@ function frameLimit(screen: Screen, name: string, { share, perSecond }: FrameRes
   return screen.share === null ? "" : missed(percent(screen.share), share >= screen.share);
 }
 
+const longTasks = ({ long, longest }: { readonly long: number; readonly longest: number }) => (long === 0 ? "0" : `${long} (${longest})`);
+
 const frameRow = (
   screen: Screen,
   name: string,
@@ -27,7 +29,7 @@ const frameRow = (
   limit,
   each.p95.toFixed(0),
   each.worst.toFixed(0),
-  each.long === 0 ? "0" : `${each.long} (${each.longest})`,
+  longTasks(each),
 ];
 
 /** Frames while something moves, beside those of the empty page. */
@@ -42,11 +44,11 @@ export function frameTable(results: readonly ScreenResults[]): string[] {
   return ["", ...markdownTable(2, ["frames", "", "empty /s", "/s", "share", "limit", "p95 ms", "worst ms", "tasks > 50 ms"], rows)];
 }
 
-function keyRow(screen: Screen, name: string, { reference, path, picture }: KeyResult): string[] {
+function keyRow(screen: Screen, name: string, { reference, path, picture, long, longest }: KeyResult): string[] {
   const times = [path.median, path.p95, picture.median, picture.p95].map((time) => time.toFixed(0));
   const ratios = [path.median, picture.median].map((time) => (time / reference).toFixed(1));
   const most = screen.key / (REFERENCE * screen.slower), limit = `${most.toFixed(1)} = ${screen.key} ms`;
-  return [screen.name, name, ...times, reference.toFixed(1), ...ratios, missed(limit, path.median / reference <= most)];
+  return [screen.name, name, ...times, reference.toFixed(1), ...ratios, missed(limit, path.median / reference <= most), longTasks({ long, longest })];
 }
 
 /** From a key to the drawing; as ratios they are in units of the reference loop in the same page. */
@@ -66,6 +68,7 @@ export function keyTable(results: readonly ScreenResults[]): string[] {
       "path ratio",
       "stock ratio",
       "limit of path",
+      "tasks > 50 ms",
     ], rows),
   ];
 }

@@ -1,5 +1,9 @@
 import { readFileSync } from "node:fs";
 import type { Turnwise } from "../../e2e/pages/turnwise.ts";
+import { linkOf } from "../../src/app/handing/link.ts";
+import { ncLabels } from "../../src/i18n/nc-labels.ts";
+import { printJob } from "../../src/program/print-job.ts";
+import { longContour } from "../long-contour.ts";
 import { grownProgram, milledProgram } from "../large-programs.ts";
 
 /** What is opened to be measured, and where something is typed into it. */
@@ -14,6 +18,9 @@ export interface MeasuredWork {
 
 /** Operations of the grown program, and the moves that all of them make. */
 const GROWN = { operations: 100, moves: 50_000 };
+
+/** A contour of so many elements, which cycle 820 follows. */
+const CONTOUR = longContour(820, 1000);
 
 /** Opens the dialog of an operation of a program, at one of its prompts. */
 const askOperation = (number: number, q: string) => async ({ editor, dialog }: Turnwise) => {
@@ -59,4 +66,22 @@ export const WORKS: readonly MeasuredWork[] = [{
   from: [0.15, 0.4, 0.65, 0.9],
   open: ({ editor }) => editor.openFile("GROWN.h", Buffer.from(grownProgram(GROWN.operations, GROWN.moves))),
   ask: askOperation(GROWN.operations, "Q484"),
+}, {
+  name: "contour",
+  from: [0.1, 0.25, 0.4, 0.55, 0.7],
+  async open({ page, handing }) {
+    await page.goto(linkOf(page.url(), CONTOUR));
+    // Only the address behind the mark changes.
+    await page.reload();
+    await handing.open();
+  },
+  async ask(turnwise) {
+    await turnwise.show("prompts");
+    await turnwise.dialog.open("Q484");
+  },
+}, {
+  name: "contour text",
+  from: [0.1, 0.25, 0.4, 0.55, 0.7],
+  open: ({ editor }) => editor.openFile("WAVES.h", Buffer.from(printJob(CONTOUR, ncLabels("en")))),
+  ask: askOperation(1, "Q484"),
 }];
