@@ -1,7 +1,15 @@
+import { EditorView } from "@codemirror/view";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { usePlace } from "../place.ts";
 import { forget } from "../steps.ts";
 import { begin, useEditor } from "../store.ts";
+import { parse } from "../../nc/parse.ts";
+import { run } from "../../program/run.ts";
+import { shippedTools } from "../../program/shipped-tools.ts";
+import { trackOf } from "../../view/playback.ts";
+import { useOutcome, type Planned } from "../engine/outcome.ts";
+import { playback } from "../playback.ts";
+import { filesOf } from "../work.ts";
 import { followProgram } from "./follow.ts";
 import { closeSession, openBlock, openSession, sessionText, sessionView } from "./session.ts";
 
@@ -53,4 +61,59 @@ test("a prompt that is opened in the dialog takes the text along", () => {
   usePlace.setState({ prompt: "Q460", before: "", field: null });
   const line = view?.state.doc.lineAt(view.state.selection.main.head).text;
   expect(line).toMatch(/^Q460/);
+});
+
+const TURNED = ["BEGIN PGM A MM", "BLK FORM CYLINDER Z D60 L80 DIST+0", "FUNCTION MODE TURN", "TOOL CALL 1",
+  "FUNCTION TURNDATA SPIN VCONST:ON VC:150", "M136", "L X+80 Z+10 R0 FMAX M303", "; turned by hand", "L X+58.3 FMAX", "L Z-21.7 F0.2",
+  "L X+80 FMAX", "M30", "END PGM A MM"];
+
+/** Runs the program of blocks in place of the empty one, and notes each mark and each place that the text is turned to, as blocks. */
+function played() {
+  const view = sessionView(), text = TURNED.join("\n");
+  view?.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text } });
+  vi.advanceTimersByTime(2000);
+  const { program } = useEditor.getState();
+  if (!view || !program || program.text !== text) throw new Error("the text was not handed over");
+  const made = run(parse(text), { tools: shippedTools, rapid: 10_000 });
+  const planned: Planned = { version: 1, text, files: filesOf(program), run: made, simulation: null };
+  useOutcome.setState({ planned, pictured: planned });
+  playback.dispatch({ do: "load", track: trackOf(made.steps) });
+  const turned = vi.spyOn(EditorView, "scrollIntoView");
+  return {
+    view,
+    steps: made.steps.length,
+    /** The marked block, and the one that the text was turned to since it was asked last. */
+    now: () => {
+      const line = view.dom.querySelector(".nc-running")?.textContent ?? null;
+      const places = turned.mock.calls.map(([at]) => view.state.doc.lineAt(typeof at === "number" ? at : at.from).text);
+      turned.mockClear();
+      return [line, ...places];
+    },
+  };
+}
+
+test("the text turns to the running block where somebody seeks, steps or plays, and not where its run changes or it leads itself", () => {
+  const { view, steps, now } = played();
+  view.dispatch({ selection: { anchor: 3 } });
+  const focus = document.activeElement;
+  now();
+  playback.dispatch({ do: "last" });
+  expect(now()).toEqual(["L X+80 FMAX", "L X+80 FMAX"]);
+  playback.dispatch({ do: "back" });
+  expect(now()).toEqual(["L X+80 FMAX", "L X+80 FMAX"]);
+  playback.dispatch({ do: "back" });
+  expect(now()).toEqual(["L Z-21.7 F0.2", "L Z-21.7 F0.2"]);
+  playback.dispatch({ do: "play" });
+  expect(now()).toEqual(["L Z-21.7 F0.2", "L Z-21.7 F0.2"]);
+  playback.dispatch({ do: "pause" });
+  now();
+  playback.dispatch({ do: "load", track: trackOf([...Array.from({ length: steps + 1 }, () => ({ seconds: 1 }))]) });
+  expect(now().slice(1)).toEqual([]);
+  playback.dispatch({ do: "first" });
+  expect(now()).toEqual([null, "L X+58.3 FMAX"]);
+  expect([view.state.selection.main.head, document.activeElement]).toEqual([3, focus]);
+  // What the text itself asks for is in sight already.
+  openBlock(9);
+  vi.advanceTimersByTime(2000);
+  expect(now()[0]).toBe("L Z-21.7 F0.2");
 });

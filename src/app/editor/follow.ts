@@ -3,6 +3,7 @@ import { EditorView } from "@codemirror/view";
 import { shownBlock } from "../approach/shown-view.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { showSection, usePlace } from "../place.ts";
+import type { Playback } from "../../view/playback.ts";
 import { playback } from "../playback.ts";
 import { lengthsOf } from "../lengths.ts";
 import { texts } from "../settings/loaded-texts.ts";
@@ -22,6 +23,9 @@ import { shownBeside } from "../files/shown-file.ts";
 /** A prompt is opened because the cursor stands at its block: the cursor stays where it is typed on. */
 let cursorLeads = false;
 
+/** The tool goes where the text says. */
+let textLeads = false;
+
 /** Opens the prompt that the cursor stands at, or the first one, where the open block has prompts. */
 function showAskedPrompt(): void {
   const prompts = openPrompts();
@@ -39,8 +43,10 @@ function followSession(): () => void {
   return useSession.subscribe((now, before) => {
     if (now.pointed !== before.pointed && thirdColumn()) showSection("block");
     if (now.opened !== before.opened) showAskedPrompt();
-    // What is pointed at once more is chosen once more.
+    // What is pointed at once more is chosen once more. The tool goes to the block, and the text stays where it is worked on.
+    textLeads = true;
     if (now.opened !== before.opened || now.pointed !== before.pointed) chooseOpenBlock();
+    textLeads = false;
   });
 }
 
@@ -94,15 +100,15 @@ function followLanguage(): () => void {
 }
 
 /**
- * Index of the block whose move stands at the playback's position; null at the start, where the text has changed since, and
- * in the text of a called program: a move knows the block of the program that called.
+ * Index of the block whose move stands at the playback's position, at the start that of the first move; null where the text has changed
+ * since, and in the text of a called program: a move knows the block of the program that called.
  */
-function runningBlock(): number | null {
+function blockNow(): number | null {
   const { pictured: shown } = useOutcome.getState();
-  const { position } = playback.get();
-  if (shownBeside() || !isPresent(shown) || (position.step === 0 && position.fraction === 0)) return null;
-  return shownBlock(shown.run, position.step);
+  return shownBeside() || !isPresent(shown) ? null : shownBlock(shown.run, playback.get().position.step);
 }
+
+const isAtStart = ({ position }: Playback): boolean => position.step === 0 && position.fraction === 0;
 
 /** Pixels over a block that the text was turned to. */
 const OVER = 60;
@@ -113,17 +119,26 @@ function turnedTo(view: EditorView, from: number): readonly StateEffect<unknown>
   return top >= scrollTop && bottom <= scrollTop + clientHeight ? [] : [EditorView.scrollIntoView(from, { y: "start", yMargin: OVER })];
 }
 
+/** What of a playback says whether somebody moved it: another run in its place moves it too, and nobody asked for that. */
+const isMoved = (now: Playback, before: Playback): boolean =>
+  now.track === before.track && (now.playing !== before.playing || (!now.playing && now.position !== before.position));
+
+/**
+ * Marks the running block, and turns the text to it: while it plays as blocks begin, and at once where somebody seeks, steps, or
+ * presses Play. Neither the cursor nor the keyboard goes along.
+ */
 function followPlayback(): () => void {
-  let marked: number | null = null;
+  let marked: number | null = null, last = playback.get();
   return playback.subscribeReader(() => {
-    const view = sessionView();
-    const next = runningBlock();
-    if (!view || next === marked) return;
+    const view = sessionView(), before = last, now = playback.get();
+    last = now;
+    const block = blockNow(), next = isAtStart(now) ? null : block, moved = isMoved(now, before) && !textLeads;
+    // A text that was typed in has lost its mark: it gets it back with the next run.
+    const isMarked = next === marked && (next === null || now.track === before.track);
+    if (!view || (isMarked && !moved)) return;
     marked = next;
-    const range = next === null ? null : blockRange(view.state, next);
-    view.dispatch({
-      effects: [setRunning.of(next), ...(range && playback.get().playing ? turnedTo(view, range.from) : [])],
-    });
+    const range = block !== null && (moved || now.playing) ? blockRange(view.state, block) : null;
+    view.dispatch({ effects: [setRunning.of(next), ...(range ? turnedTo(view, range.from) : [])] });
   });
 }
 
