@@ -45,6 +45,8 @@ function useProgramSession(): void {
   useEffect(() => {
     const { program, work } = useEditor.getState();
     if (!program || work === null) return undefined;
+    // Here as well as in the lathe's view: a milled program has another one.
+    playback.playsOf(work);
     openSession(program, work);
     if (usePlace.getState().section === "prompts") showSection(thirdColumn() ? "structure" : "text");
     const stop = followProgram();

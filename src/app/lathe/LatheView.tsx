@@ -20,6 +20,7 @@ import { KEEPS_KEYBOARD } from "../place.ts";
 import { reducedMotion } from "../settings/appearance.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
+import { useEditor } from "../store.ts";
 import { useMedia } from "../use-media.ts";
 import { ChosenPath, HoveredMove } from "./Chosen.tsx";
 import { GhostPaths } from "./Ghost.tsx";
@@ -111,6 +112,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
 }) {
   const texts = useTexts(), t = texts.lathe, keysId = useId();
   const { section, xDown, motion } = useSettings();
+  const work = useEditor((s) => s.work);
   const [kept, keep] = useState(result);
   if (result && result !== kept) keep(result);
   const shown = result ?? (dimmed ? kept : null), run = shown?.run ?? EMPTY_RUN;
@@ -152,6 +154,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
     showTools(false);
   };
 
+  useEffect(() => playback.playsOf(work), [work, playback]);
   useEffect(() => playback.dispatch({ do: "load", track: trackOf(run.steps) }), [run, playback]);
   useEffect(() => playback.setStill(reducedMotion({ motion })), [motion, playback]);
   useEffect(() => viewport.setBounds(scene.bounds), [scene, viewport]);

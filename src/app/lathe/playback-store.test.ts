@@ -68,3 +68,17 @@ test("what is read changes no oftener than it can be read while it plays, and at
   expect(store.get().playing).toBe(false);
   expect(read).toBe(beforeEnd + 1);
 });
+
+test("another work begins at its start and at rest, the same one goes on where it stands", () => {
+  const { clock, store } = playing(1), other = trackOf([{ seconds: 4 }, { seconds: 9 }]);
+  store.playsOf("flange");
+  clock.advance(2500);
+  store.playsOf(null);
+  store.playsOf("flange");
+  store.dispatch({ do: "load", track: trackOf([{ seconds: 2 }, { seconds: 1 }, { seconds: 5 }]) });
+  expect(store.get()).toMatchObject({ playing: true, position: { step: 1 } });
+  store.dispatch({ do: "last" });
+  store.playsOf("shaft");
+  store.dispatch({ do: "load", track: other });
+  expect(store.get()).toMatchObject({ playing: false, position: { step: 0, fraction: 0 } });
+});

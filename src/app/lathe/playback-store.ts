@@ -12,6 +12,8 @@ export interface PlaybackStore {
   /** Whether time passes by itself. */
   readonly flows: boolean;
   readonly dispatch: (action: Action) => void;
+  /** Says whose run is played from now on: another work begins at its start, the same one goes on where it stands. */
+  readonly playsOf: (work: string | null) => void;
   /** Calls after each change; returns what ends it. */
   readonly subscribe: (listener: () => void) => () => void;
   /** The same for what is read and not looked at: while it plays, no oftener than it can be read. */
@@ -30,6 +32,7 @@ export function createPlaybackStore(clock: Clock): PlaybackStore {
   let stop: (() => void) | null = null;
   let last = 0;
   let read = 0;
+  let of: string | null = null;
   const listeners = new Set<() => void>(), readers = new Set<() => void>();
 
   const picture = (now: number) => {
@@ -60,15 +63,22 @@ export function createPlaybackStore(clock: Clock): PlaybackStore {
     return () => all.delete(listener);
   };
 
+  const dispatch = (action: Action) => {
+    if (!state.playing) last = clock.now();
+    set(reduce(state, action));
+    follow();
+  };
+
   return {
     get: () => state,
     shown: () => (still && state.playing ? settled(state.position) : state.position),
     flows: clock.flows,
     since: () => (state.playing && !still && clock.flows ? last : null),
-    dispatch(action) {
-      if (!state.playing) last = clock.now();
-      set(reduce(state, action));
-      follow();
+    dispatch,
+    playsOf(work) {
+      const isOther = of !== null && work !== null && work !== of;
+      of = work ?? of;
+      if (isOther) dispatch({ do: "first" });
     },
     subscribe: subscriber(listeners),
     subscribeReader: subscriber(readers),
