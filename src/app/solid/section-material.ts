@@ -1,10 +1,10 @@
-import { Color, ShaderMaterial } from "three";
+import { Color, ShaderMaterial, type ColorRepresentation } from "three";
 
 /** A section face as on paper: a flat ground with fine lines at 45°, as far apart on the screen as in the drawing. */
 export interface Hatched {
   readonly material: ShaderMaterial;
   /** Colours of ground and lines. */
-  readonly colours: (ground: string, line: string) => void;
+  readonly colours: (ground: ColorRepresentation, line: ColorRepresentation) => void;
   /** From one line to the next, mm. */
   readonly pitch: (mm: number) => void;
 }

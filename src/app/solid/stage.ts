@@ -1,4 +1,4 @@
-import { AmbientLight, BufferAttribute, BufferGeometry, DirectionalLight, Group, LineBasicMaterial, LineSegments, Mesh as Triangles,
+import { AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, Group, LineBasicMaterial, LineSegments, Mesh as Triangles,
   MeshPhongMaterial, PerspectiveCamera, Scene as Space, Sphere, WebGLRenderer, type Material } from "three";
 import type { Chip } from "../../sim/chip/chip.ts";
 import type { Size } from "../../view/camera.ts";
@@ -60,6 +60,8 @@ export interface SolidStage {
 
 /** Pixels between two lines of a hatch. */
 const HATCH = 8;
+/** What stays is a layer too thin to be told by lines of a hatch: its ground has its colour, and lines are paler by this, 0 … 1. */
+const PALE = 0.3;
 /** One light from over the operator's left shoulder, and what comes from all sides: together a face square to it has its colour. */
 const LIGHT = { key: 0.75 * Math.PI, around: 0.5 * Math.PI } as const;
 
@@ -113,7 +115,7 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
     insert: shaded(30, 0x222222),
     holder: shaded(16, 0x1a1a1a),
   };
-  const sections = { steel: hatched(-1, 1), residual: hatched(1, 2), gouge: hatched(-1, 1) };
+  const sections = { steel: hatched(-1, 1), residual: hatched(1, 1), gouge: hatched(-1, 1) };
   const lines = { work: drawnLine(0.55), parts: drawnLine(0.4) };
 
   /** All of it is looked at: to ask whether it is in sight takes a walk over all its corners. */
@@ -173,7 +175,7 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       surfaces.insert.color.set(c.insert);
       surfaces.holder.color.set(c.holder);
       sections.steel.colours(c.material, c.hatch);
-      sections.residual.colours(c.surface, c.residual);
+      sections.residual.colours(c.residual, new Color(c.residual).lerp(new Color(c.surface), PALE));
       sections.gouge.colours(c.danger, c.danger);
       for (const each of Object.values(lines)) each.color.set(c.line);
       path.setColours(c);

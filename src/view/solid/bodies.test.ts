@@ -50,3 +50,20 @@ test("what stays is a body of its own at the end of the run, and not before", ()
   expect(areaOf(residual)).toBeCloseTo((2.1 + 0.02) * (1 + 0.02), 2);
   expect(areaOf(residual) + areaOf(steel)).toBeCloseTo(areaOf(blank), 3);
 });
+
+test("no skin of steel lies over what stays or what was gouged, however their outlines lean", () => {
+  const leans =
+    (by: number): Ring => [at(-39.5555, 19.9), at(-28.6248, 20.9576 + by), at(-28.6269, 20.9601 + by), at(-39.5538, 20.0041 + by)];
+  const cone: Ring = [at(-60.3, 0), at(0, 0), at(0, 23.4644), at(-60.3, 18.1886)];
+  const steps = Array.from({ length: 9 }) as never, end = { step: 9, fraction: 0 };
+  for (const by of [-0.0009, 0, 0.0007, 0.0031]) {
+    const rest = { ...run.proof, residual: left.map((each) => ({ ...each, ring: leans(by) })) };
+    const stays = colouredBodies([cone], { ...run, findings: [], proof: rest, steps }, end, 60);
+    expect(stays.residual).toHaveLength(1);
+    // What was cut out is open to the outside: a hole in the steel would be covered by a skin of it.
+    expect(stays.steel.filter((ring) => areaOf([ring]) < 0)).toEqual([]);
+    const gouged = colouredBodies([cone], { ...run, findings: run.findings.map((f) => ({ ...f, rings: [leans(by)] })), steps }, end, 60);
+    expect(gouged.gouge).toHaveLength(1);
+    expect(gouged.steel.filter((ring) => areaOf([ring]) < 0)).toEqual([]);
+  }
+});

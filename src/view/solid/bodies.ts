@@ -29,11 +29,23 @@ export function colouredBodies(stock: readonly Ring[], simulation: Simulation, p
   const plain = (rings: readonly Ring[]) => simplified(rings, SHOWN);
   if (rest.length === 0 && faults.length === 0) return { steel: plain(stock), residual: [], gouge: [] };
   const skin = Math.max(SKIN.least, SKIN.share * size);
-  const gouge = faults.length > 0 ? intersection(stock, offset(union(faults.flatMap((f) => [...f.rings])), skin)) : [];
-  const sound = gouge.length > 0 ? difference(stock, gouge) : stock;
-  const residual = rest.length > 0 ? intersection(sound, offset(union(rest), OVER)) : [];
-  const steel = residual.length > 0 ? difference(sound, residual) : sound;
+  const [gouge, sound] = dividedBy(stock, faults.flatMap((f) => [...f.rings]), skin);
+  const [residual, steel] = dividedBy(sound, rest, OVER);
   return { steel: plain(steel), residual: plain(residual), gouge: plain(gouge) };
+}
+
+/**
+ * What of the stock lies in areas made so much wider (mm), and the rest of it. Both are cut along the same line, which runs on beyond the
+ * stock: were one taken off the other along the boundary of the stock, a skin without thickness would be left over it.
+ */
+function dividedBy(
+  stock: readonly Ring[],
+  areas: readonly Ring[],
+  wider: number,
+): readonly [inside: readonly Ring[], rest: readonly Ring[]] {
+  if (areas.length === 0) return [[], stock];
+  const wide = offset(union(areas), wider);
+  return [intersection(stock, wide), difference(stock, wide)];
 }
 
 /** Steps at which a run states another blank. */
