@@ -86,8 +86,10 @@ async function measureScreen(browser: Browser, address: string, screen: Screen, 
       begin(`${screen.name}: ${work.name} key … `);
       const bench = await openBench(browser, address, screen, true);
       await openWork(bench, work);
-      const { path, picture, long } = keys[work.name] = await measureKeys(bench, work, options);
-      say(`path ${path.median.toFixed(0)} ms, stock ${picture.median.toFixed(0)} ms, ${long} long tasks`);
+      const { digit, path, picture, long } = keys[work.name] = await measureKeys(bench, work, options);
+      say(
+        `digit ${digit.median.toFixed(0)} ms, path ${path.median.toFixed(0)} ms, stock ${picture.median.toFixed(0)} ms, ${long} long tasks`,
+      );
       await bench.context.close();
     }
   }

@@ -57,8 +57,12 @@ export const removeBox = (): void => document.querySelector("div")?.remove();
 
 /** What `watchDrawing` leaves on the page. */
 export interface Watched {
-  /** When the last key went down, when the path was next drawn after it, and when the picture was last drawn; painting included, ms. */
+  /**
+   * When the last key went down, when its digit was drawn, when the path was next drawn after it, and when the picture was last drawn;
+   * painting included, ms.
+   */
   key: number;
+  digit: number;
   path: number;
   picture: number;
   /** Questions to the worker that are not answered. */
@@ -80,7 +84,7 @@ declare global {
  * asked of the worker. A change counts when the frame that shows it is painted, as far as the page's own thread goes.
  */
 export function watchDrawing(): void {
-  const watched: Watched = { key: 0, path: 0, picture: 0, asked: 0, stir: 0, tasks: [] };
+  const watched: Watched = { key: 0, digit: 0, path: 0, picture: 0, asked: 0, stir: 0, tasks: [] };
   window.__watched = watched;
   /** Changes that the next painted frame shows. */
   let path = false, picture = false;
@@ -92,6 +96,7 @@ export function watchDrawing(): void {
   const channel = new MessageChannel();
   channel.port1.onmessage = () => {
     const now = performance.now();
+    if (watched.digit === 0) watched.digit = now;
     if (path && watched.path === 0) watched.path = now;
     if (picture) watched.picture = now;
     path = picture = false;
@@ -103,7 +108,7 @@ export function watchDrawing(): void {
   requestAnimationFrame(frame);
   addEventListener("keydown", (event) => {
     watched.key = watched.stir = event.timeStamp;
-    watched.path = watched.picture = 0;
+    watched.digit = watched.path = watched.picture = 0;
     watched.tasks = [];
     path = picture = false;
   }, { capture: true });
@@ -124,7 +129,8 @@ export function watchDrawing(): void {
     });
   }
   new PerformanceObserver((list) => {
-    for (const { duration, startTime } of list.getEntries()) if (startTime + duration > watched.key) watched.tasks.push(Math.round(duration));
+    for (const { duration, startTime } of list.getEntries())
+      if (startTime + duration > watched.key) watched.tasks.push(Math.round(duration));
   }).observe({ type: "longtask" });
   const Native = Worker;
   window.Worker = class extends Native {
@@ -142,14 +148,14 @@ export function watchDrawing(): void {
   };
 }
 
-/** Waits for the path, and then until nothing has stirred for so long; what it took to both, null where nothing was drawn, and long tasks. */
+/** Waits for the path, and then until nothing has stirred for so long: what it took from the key, null where nothing was drawn. */
 export async function drawnAfterKey({ quiet, patience }: { readonly quiet: number; readonly patience: number }): Promise<
-  { readonly path: number | null; readonly picture: number | null; readonly tasks: readonly number[] }
+  { readonly digit: number | null; readonly path: number | null; readonly picture: number | null; readonly tasks: readonly number[] }
 > {
   const watched = window.__watched;
   if (!watched) throw new Error("the page is not watched");
   const { key } = watched, goesOn = () => watched.path === 0 || watched.asked > 0 || performance.now() - watched.stir < quiet;
   while (goesOn() && performance.now() - key < patience) await new Promise((done) => setTimeout(done, quiet / 10));
   const since = (time: number) => (time > 0 ? time - key : null);
-  return { path: since(watched.path), picture: since(watched.picture), tasks: watched.tasks };
+  return { digit: since(watched.digit), path: since(watched.path), picture: since(watched.picture), tasks: watched.tasks };
 }

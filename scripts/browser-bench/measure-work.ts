@@ -23,6 +23,8 @@ export interface FrameResult {
 /** Times from a key to what is drawn, ms, and what part of them the reference loop would take there. */
 export interface KeyResult {
   readonly reference: number;
+  /** To the frame that shows the digit itself. */
+  readonly digit: { readonly median: number; readonly p95: number };
   readonly path: { readonly median: number; readonly p95: number };
   readonly picture: { readonly median: number; readonly p95: number };
   readonly keys: number;
@@ -183,18 +185,26 @@ export async function measureKeys(bench: Bench, work: MeasuredWork, options: Ben
   await work.ask(turnwise);
   await turnwise.dialog.value.fill("0.1");
   await bench.slow("page");
-  const paths: number[] = [], pictures: number[] = [], references: number[] = [], long: number[] = [];
+  const digits: number[] = [], paths: number[] = [], pictures: number[] = [], references: number[] = [], long: number[] = [];
   for (let key = -2; key < options.keys; key += 1) {
     if (key % 4 === 0) references.push(await referenceIn(page));
     await page.keyboard.press(key % 2 === 0 ? String(3 + (Math.abs(key) % 7)) : "Backspace");
-    const { path, picture, tasks } = await page.evaluate(drawnAfterKey, SEEN);
+    const { digit, path, picture, tasks } = await page.evaluate(drawnAfterKey, SEEN);
     if (key < 0) continue;
     long.push(...tasks);
+    digits.push(digit ?? Number.NaN);
     paths.push(path ?? Number.NaN);
     pictures.push(picture ?? Number.NaN);
   }
   if (paths.some(Number.isNaN)) throw new Error(`a key in ${work.name} drew no other path`);
   const of = (times: readonly number[]) => ({ median: middle(times), p95: quantile(times, 0.95) });
-  return { reference: middle(references), path: of(paths), picture: of(pictures), keys: paths.length, long: long.length,
-    longest: Math.max(0, ...long) };
+  return {
+    reference: middle(references),
+    digit: of(digits),
+    path: of(paths),
+    picture: of(pictures),
+    keys: paths.length,
+    long: long.length,
+    longest: Math.max(0, ...long),
+  };
 }

@@ -44,11 +44,19 @@ export function frameTable(results: readonly ScreenResults[]): string[] {
   return ["", ...markdownTable(2, ["frames", "", "empty /s", "/s", "share", "limit", "p95 ms", "worst ms", "tasks > 50 ms"], rows)];
 }
 
-function keyRow(screen: Screen, name: string, { reference, path, picture, long, longest }: KeyResult): string[] {
-  const times = [path.median, path.p95, picture.median, picture.p95].map((time) => time.toFixed(0));
+function keyRow(screen: Screen, name: string, { reference, digit, path, picture, long, longest }: KeyResult): string[] {
+  const times = [digit.median, path.median, path.p95, picture.median, picture.p95].map((time) => time.toFixed(0));
   const ratios = [path.median, picture.median].map((time) => (time / reference).toFixed(1));
   const most = screen.key / (REFERENCE * screen.slower), limit = `${most.toFixed(1)} = ${screen.key} ms`;
-  return [screen.name, name, ...times, reference.toFixed(1), ...ratios, missed(limit, path.median / reference <= most), longTasks({ long, longest })];
+  return [
+    screen.name,
+    name,
+    ...times,
+    reference.toFixed(1),
+    ...ratios,
+    missed(limit, path.median / reference <= most),
+    longTasks({ long, longest }),
+  ];
 }
 
 /** From a key to the drawing; as ratios they are in units of the reference loop in the same page. */
@@ -60,6 +68,7 @@ export function keyTable(results: readonly ScreenResults[]): string[] {
     ...markdownTable(2, [
       "from a key",
       "",
+      "digit ms",
       "path ms",
       "p95",
       "stock ms",

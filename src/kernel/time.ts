@@ -47,7 +47,10 @@ function bends(spindle: Spindle): number[] {
 /** Mean minutes per revolution along a straight line between two distances from the axis: exact, piece by piece. */
 function meanAlongLine(spindle: Spindle, from: number, to: number): number {
   if (Math.abs(to - from) < NOTHING) return minutesPerTurn(spindle, from);
-  const stops = [0, ...bends(spindle).map((r) => (r - from) / (to - from)).filter((t) => t > 0 && t < 1), 1].sort((a, b) => a - b);
+  const bent = bends(spindle).map((r) => (r - from) / (to - from)).filter((t) => t > 0 && t < 1);
+  // Most moves have none: long paths are asked with every change.
+  if (bent.length === 0) return (minutesPerTurn(spindle, from) + minutesPerTurn(spindle, to)) / 2;
+  const stops = [0, ...bent, 1].sort((a, b) => a - b);
   let sum = 0;
   for (let i = 1; i < stops.length; i += 1) {
     const [a, b] = [stops[i - 1] ?? 0, stops[i] ?? 1];
@@ -57,17 +60,19 @@ function meanAlongLine(spindle: Spindle, from: number, to: number): number {
   return sum;
 }
 
-/** Pieces of an arc in the numerical mean (Simpson's rule; even). */
-const PIECES = 32;
+/** Pieces of a whole arc, and of one that turns by half a radian at most, in the numerical mean (Simpson's rule; even). */
+const PIECES = 32, FEW_PIECES = 8, SHORT_TURN = 0.5;
 
 function meanAlongArc(spindle: Spindle, path: Segment): number {
-  const at = part.pointsOn(path);
+  if (spindle.kind === "constant") return minutesPerTurn(spindle, path.from.r);
+  const at = part.pointsOn(path), turn = path.kind === "arc" ? Math.abs(part.polarOf(path).sweep) : 0;
+  const pieces = turn <= SHORT_TURN ? FEW_PIECES : PIECES;
   let sum = 0;
-  for (let i = 0; i <= PIECES; i += 1) {
-    const weight = i === 0 || i === PIECES ? 1 : i % 2 === 1 ? 4 : 2;
-    sum += weight * minutesPerTurn(spindle, at(i / PIECES).r);
+  for (let i = 0; i <= pieces; i += 1) {
+    const weight = i === 0 || i === pieces ? 1 : i % 2 === 1 ? 4 : 2;
+    sum += weight * minutesPerTurn(spindle, at(i / pieces).r);
   }
-  return sum / (3 * PIECES);
+  return sum / (3 * pieces);
 }
 
 const meanOf = (spindle: Spindle, path: Segment) =>

@@ -110,7 +110,8 @@ function changeTo({ program: { blocks }, starts }: Reading, text: string): Chang
   let [first, last] = [0, blocks.length];
   while (first < blocks.length && text.startsWith(blocks[first]?.raw ?? "", starts[first])) first += 1;
   const from = Math.min(starts[first] ?? 0, most);
-  while (last > first && (starts[last - 1] ?? 0) + by >= from && text.startsWith(blocks[last - 1]?.raw ?? "", (starts[last - 1] ?? 0) + by)) last -= 1;
+  while (last > first && (starts[last - 1] ?? 0) + by >= from && text.startsWith(blocks[last - 1]?.raw ?? "", (starts[last - 1] ?? 0) + by))
+    last -= 1;
   const to = starts[last] ?? 0;
   return { from, to, length: to + by - from };
 }

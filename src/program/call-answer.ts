@@ -79,7 +79,8 @@ function questionOf(machine: Machine, memory: Pick<PlanMemory, "nameOf">, asked:
   return [
     `call ${cycle.number} ${place(start)} ${exactly(datum.x)} ${exactly(datum.z)} ${exactly(datum.y)}`,
     JSON.stringify([inch, toolFeed, perRevolution, machine.shop.rapid, spindle, called !== null, machine.traced !== null, told]),
-    JSON.stringify([[...defined.values], [...defined.troubled], contour]),
+    JSON.stringify([[...defined.values], [...defined.troubled]]),
+    contour ? memory.nameOf(contour) : "",
     memory.nameOf(tool),
     stock ? memory.nameOf(stock) : "",
   ].join("\n");

@@ -82,7 +82,8 @@ export function readContourOf(machine: Machine, { unit, label }: ContourSource, 
   machine.parameters.clear();
   outer.forEach((value, name) => machine.parameters.set(name, value));
   if (machine.full) return null;
-  return { contour: contourFrom(reader.elements), blocks: reader.blocks, isTroubled: reader.isTroubled };
+  const make = () => contourFrom(reader.elements);
+  return { contour: machine.shop.memory?.alike(reader.elements, make) ?? make(), blocks: reader.blocks, isTroubled: reader.isTroubled };
 }
 
 /** A block as it is written, without its number. */

@@ -24,8 +24,9 @@ const IN_PROGRAM = {};
 
 /** How far a log was at a moment: of what is only added to, how much there was. */
 export interface LogMoment {
-  readonly counts: Readonly<Record<"steps" | "milled" | "operations" | "approaches" | "spindles" | "findings" | "unproved" | "stated"
-    | "said" | "left", number>>;
+  readonly counts: Readonly<
+    Record<"steps" | "milled" | "operations" | "approaches" | "spindles" | "findings" | "unproved" | "stated" | "said" | "left", number>
+  >;
   readonly datums: Run["datums"];
   readonly firstBlank: readonly Ring[] | null;
   readonly seconds: number;

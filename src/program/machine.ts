@@ -1,8 +1,5 @@
-import type { Issue } from "../kernel/issue.ts";
 import type { FeedUnit, Move } from "../kernel/move.ts";
 import type { Pt } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
-import type { Tool } from "../kernel/tool.ts";
 import { INCH, type Feed } from "../kernel/units.ts";
 import type { Block, Program } from "../nc/program.ts";
 import type { FileName, Label, Statement, StatementOf, Value } from "../nc/statement.ts";
@@ -10,38 +7,17 @@ import { NO_TRANSFORM } from "./coordinates-frame.ts";
 import { formulaOf, textOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { FreeRun } from "./free-contour.ts";
-import { KnownValues, type KnownMoment } from "./known-values.ts";
-import { Log, type LogMoment } from "./log.ts";
+import { KnownValues } from "./known-values.ts";
+import { Log } from "./log.ts";
 import { AT_START, NO_SHIFT, NOT_PLACED, type Milling, type Modal, type Whereabouts } from "./modal.ts";
 import { pointIn } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
-import type { Control, Mill } from "./plane-types.ts";
-import type { PlanMemory } from "./plan-memory.ts";
-import { fileKey, type ProgramFiles } from "./program-files.ts";
+import { fileKey } from "./program-files.ts";
+import type { RunMoment } from "./run-moment.ts";
+import type { Shop } from "./shop.ts";
 import { stepOf, timed, type TimedSteps } from "./step-of.ts";
-import type { TracedBlank, Tracing } from "./tracing.ts";
+import type { TracedBlank } from "./tracing.ts";
 import { isSkipped, unitFrom, type Unit } from "./units.ts";
-
-/** What a run can use. */
-export interface Shop {
-  readonly tools: readonly Tool[];
-  /** Tools whose columns are impossible, with what is wrong. */
-  readonly refused?: ReadonlyMap<number, readonly Issue[]>;
-  /** Rapid rate for times, mm/min. */
-  readonly rapid: number;
-  /** Milling tools of the table. */
-  readonly mills?: readonly Mill[];
-  /** Which control it is: how APPR and DEP move in the tool axis. "TNC 640" when absent. */
-  readonly control?: Control;
-  /** Programs that the one that runs can call. */
-  readonly files?: ProgramFiles;
-  /** Traces the blank that a program asks to be traced; without it the cycles are planned as if it did not. */
-  readonly tracing?: Tracing;
-  /** What the plans of the run before are known by; without it each cycle is planned anew. */
-  readonly memory?: Omit<PlanMemory, "next">;
-  /** True to leave out the blocks that are marked with `/`. */
-  readonly skipMarked?: boolean;
-}
 
 /** Bounds that keep every program finite and its memory small; far above what programs need (docs/performance.md). */
 const MOST_BLOCKS = 1_500_000;
@@ -50,18 +26,6 @@ const MOST_MOVES = 1_200_000;
 const MOST_TURNED = 400_000;
 const MOST_OPERATIONS = 2_000;
 
-/** Where a run was between two blocks of its program, while no call had to return. */
-export interface RunMoment extends Readonly<Pick<Machine, "now" | "place" | "freePole" | "parameters" | "radii" | "definitions" | "called">> {
-  /** Blocks executed before: what is first looked at later has a higher count. */
-  readonly executed: number;
-  readonly known: KnownMoment;
-  readonly log: LogMoment;
-  /** Where the contours of turning and milling stood; none of them is being gathered. */
-  readonly here: readonly [turning: Guide["here"], milling: Guide["here"]];
-  /** What the memory of plans had been asked. */
-  readonly asked: number;
-}
-
 /** A program as it runs: what is in force, what was said and done, and the bounds that end a run. */
 export class Machine {
   /** The blocks of the program, and behind them those of the programs that it has called. */
@@ -69,7 +33,7 @@ export class Machine {
   readonly log: Log;
   /** The text that runs. */
   unit: Unit;
-  private readonly units = new Map<Program, Unit>();
+  readonly units = new Map<Program, Unit>();
   /** The program that the block that runs has called: it runs next. */
   next: Unit | null = null;
   /** Radii of TOOL DEF lines, mm. */
@@ -99,7 +63,7 @@ export class Machine {
   /** FPOL that counts until another does. */
   freePole: StatementOf<"free"> | null = null;
   /** Blocks executed, those of contours that cycles read included. */
-  private executed = 0;
+  executed = 0;
   full = false;
 
   /** `before`: a run of a program with the same blocks up to a moment, and that moment, from which this one goes on. */
@@ -119,27 +83,6 @@ export class Machine {
     if (!at) return;
     ({ now: this.now, place: this.place, freePole: this.freePole, executed: this.executed } = at);
     [this.turnGuide.here, this.millGuide.here] = at.here;
-  }
-
-  /** Where the run is; null where a run of another program could not go on from, since something is under way that it would change. */
-  get moment(): RunMoment | null {
-    const { now, place, freePole, executed, turnGuide, millGuide } = this;
-    const isBetween = !turnGuide.chain && !millGuide.chain && !this.freeRun && !this.next && !this.full;
-    if (!isBetween || this.hasTraced || this.units.size > 1) return null;
-    return {
-      now,
-      place,
-      freePole,
-      executed,
-      parameters: new Map(this.parameters),
-      radii: new Map(this.radii),
-      definitions: new Set(this.definitions),
-      called: new Set(this.called),
-      known: this.known.moment,
-      log: this.log.moment,
-      here: [turnGuide.here, millGuide.here],
-      asked: this.shop.memory?.asked() ?? 0,
-    };
   }
 
   /** A block is run, or read as part of a contour. */
@@ -347,11 +290,9 @@ export class Machine {
     this.log.countsFrom(this.now.datum.x, this.now.datum.z);
     this.log.turnsAt(this.now.spindle, this.now.backwards);
     const { brought } = this.place;
-    this.log.steps.push(brought === null ? first : { ...first, broughtBy: this.log.numbers[brought] ?? 0 });
-    const block = this.log.inProgram(index), count = steps.length;
-    this.log.stepBlocks.push(block);
-    for (let i = 1; i < count; i += 1) {
-      this.log.steps.push(steps[i] as Step);
+    const block = this.log.inProgram(index);
+    for (const step of steps) {
+      this.log.steps.push(step === first && brought !== null ? { ...first, broughtBy: this.log.numbers[brought] ?? 0 } : step);
       this.log.stepBlocks.push(block);
     }
     if (brought !== null) this.setPlace({ brought: null });

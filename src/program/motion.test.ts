@@ -7,7 +7,7 @@ import samples from "../../tests/programs/approach-departure-tnc7.h?raw";
 import { over, readTools } from "./read-tools.ts";
 import { run } from "./run.ts";
 import { shippedTools } from "./shipped-tools.ts";
-import type { Shop } from "./machine.ts";
+import type { Shop } from "./shop.ts";
 
 const shop: Shop = { tools: shippedTools, rapid: 10_000 };
 const runText = (text: string, more: Partial<Shop> = {}) => run(parse(text), { ...shop, ...more });

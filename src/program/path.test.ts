@@ -1,7 +1,8 @@
 import { describe, expect, test } from "vitest";
 import { parse } from "../nc/parse.ts";
 import { readContour } from "./contour-subprogram.ts";
-import { Machine, type Shop } from "./machine.ts";
+import { Machine } from "./machine.ts";
+import type { Shop } from "./shop.ts";
 import { run } from "./run.ts";
 import { shippedTools } from "./shipped-tools.ts";
 

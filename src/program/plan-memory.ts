@@ -9,6 +9,8 @@ export interface PlanMemory {
    * how many objects an answer holds; answers of runs long ago are kept as long as all of them are small.
    */
   once<Answer>(question: string, make: (name: string) => Answer, size?: (answer: Answer) => number): Answer;
+  /** What is made of elements that are small and plain: the same object for elements that are alike, as long as it was not long ago. */
+  alike<Made extends object>(elements: readonly unknown[], make: () => Made): Made;
   /** A value that never changes, as the same object each time: the first that was written as this one is. */
   same<Value extends object>(value: Value): Value;
   /** What stands for such a value in questions. */
@@ -19,6 +21,24 @@ export interface PlanMemory {
   again(count: number): void;
   /** Another run begins. What the one before has asked for is kept in any case, older answers within bounds: steps are taken back. */
   next(): void;
+}
+
+/** What was made of elements last, the newest last. */
+interface Made {
+  readonly elements: readonly unknown[];
+  readonly made: object;
+}
+
+/** Lists of elements whose result is remembered: a program has few contours that are as many blocks as a key waits for. */
+const MOST_MADE = 12;
+
+/** Whether two plain values hold the same. */
+function holdSame(a: unknown, b: unknown): boolean {
+  if (Object.is(a, b)) return true;
+  if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return false;
+  const keys = Object.keys(a);
+  if (keys.length !== Object.keys(b).length) return false;
+  return keys.every((key) => key in b && holdSame((a as Record<string, unknown>)[key], (b as Record<string, unknown>)[key]));
 }
 
 interface Named {
@@ -84,7 +104,14 @@ export function planMemory(): PlanMemory {
     named.set(value, known);
     return known;
   };
+  let made: readonly Made[] = [];
   return {
+    alike: <Answer extends object>(elements: readonly unknown[], make: () => Answer): Answer => {
+      const known = made.find((each) => each.elements.length === elements.length && holdSame(each.elements, elements));
+      const answer = (known?.made as Answer | undefined) ?? make();
+      made = [...made.filter((each) => each !== known).slice(1 - MOST_MADE), known ?? { elements, made: answer }];
+      return answer;
+    },
     of(cycle) {
       const known = cycles.get(cycle)
         ?? { ...cycle, plan: askedOf(`plan ${cycle.number}`, cycle.plan), outline: askedOf(`outline ${cycle.number}`, cycle.outline) };

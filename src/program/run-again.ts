@@ -1,8 +1,10 @@
 import type { Block, Program } from "../nc/program.ts";
 import type { Statement } from "../nc/statement.ts";
-import { Machine, type RunMoment, type Shop } from "./machine.ts";
+import { Machine } from "./machine.ts";
+import type { RunMoment } from "./run-moment.ts";
 import { runToEnd } from "./run.ts";
 import type { Run } from "./run-types.ts";
+import type { Shop } from "./shop.ts";
 
 /** A place that a run has passed: before a block, and what was in force there. */
 interface Passed {
@@ -42,6 +44,27 @@ function isLike(a: Block, b: Block | undefined): boolean {
   if (!b || a.lines !== b.lines || a.number !== b.number || a.skip !== b.skip) return false;
   const [s, t] = [a.statement, b.statement];
   return s.kind === t.kind && !OF_ALL.has(s.kind) && (s.kind !== "cycle" || t.kind !== "cycle" || s.cycle === t.cycle);
+}
+
+/** Where a run is; null where a run of another program could not go on from, since something is under way that it would change. */
+function passing(machine: Machine): RunMoment | null {
+  const { now, place, freePole, executed, turnGuide, millGuide } = machine;
+  const isBetween = !turnGuide.chain && !millGuide.chain && !machine.freeRun && !machine.next && !machine.full;
+  if (!isBetween || machine.hasTraced || machine.units.size > 1) return null;
+  return {
+    now,
+    place,
+    freePole,
+    executed,
+    parameters: new Map(machine.parameters),
+    radii: new Map(machine.radii),
+    definitions: new Set(machine.definitions),
+    called: new Set(machine.called),
+    known: machine.known.moment,
+    log: machine.log.moment,
+    here: [turnGuide.here, millGuide.here],
+    asked: machine.shop.memory?.asked() ?? 0,
+  };
 }
 
 /** Blocks that are others than before; null where one of them changes what counts for the whole program. */
@@ -98,7 +121,7 @@ export function runningAgain(): (program: Program, shop: Shop, beside: Beside) =
       const kind = program.blocks[next]?.statement.kind;
       const isDue = kind !== undefined && NOTED.has(kind) && next >= (passed.at(-1)?.next ?? 0) + apart;
       if (!isDue && next !== same?.first) return;
-      const { moment } = machine;
+      const moment = passing(machine);
       if (moment && passed.at(-1)?.next !== next) passed.push({ next, moment });
     };
     const made = runToEnd(machine, { from: last?.next ?? 0, watch });

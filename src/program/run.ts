@@ -11,7 +11,7 @@ import { datumLine, DATUM_CYCLE, resetDatum, shiftDatum, tableDatum } from "./da
 import { execute, neverReached, wordsOf, type RunCourse } from "./flow.ts";
 import { runFree } from "./free-run.ts";
 import { programIssue } from "./issue.ts";
-import { Machine, type Shop } from "./machine.ts";
+import { Machine } from "./machine.ts";
 import { isElsewhere, retract, retracts } from "./machine-moves.ts";
 import { runApproach, chamfer, finish, path } from "./motion.ts";
 import { callProgram, callSelected, PROGRAM_CYCLE, programCycle, selectProgram } from "./program-calls.ts";
@@ -20,6 +20,7 @@ import { NOWHERE } from "./path.ts";
 import { neverCalled } from "./preconditions.ts";
 import { startedBy, stoppedBy } from "./spindle-start.ts";
 import type { Run } from "./run-types.ts";
+import type { Shop } from "./shop.ts";
 import { correctTool, toolCall, toolDefinition } from "./tool-call.ts";
 import { mirrorAxes, scaleAxes, transformedTurning, transformLine, transforms, turnPlane } from "./transform-blocks.ts";
 import { actingLine, actsAtOnce, isSilent, textBlock } from "./unproved-blocks.ts";

@@ -14,8 +14,8 @@ interface Asked {
   readonly isPlanned: boolean;
 }
 
-/** Whether the page plans by itself. */
-const page = vi.hoisted(() => ({ plans: false }));
+/** Whether the page plans by itself, and takes long for it. */
+const page = vi.hoisted(() => ({ plans: false, isSlow: false }));
 vi.mock("./page-plan.ts", async () => {
   const { planned } = await import("./plan.ts");
   return {
@@ -23,6 +23,7 @@ vi.mock("./page-plan.ts", async () => {
     forgetPace: () => undefined,
     notePace: () => undefined,
     planNow: (request: Request) => (page.plans ? planned(request) : null),
+    plansBehindDigit: () => page.isSlow,
   };
 });
 
@@ -67,7 +68,7 @@ beforeEach(() => {
   stop = startEngine();
 });
 afterEach(async () => {
-  page.plans = false;
+  Object.assign(page, { plans: false, isSlow: false });
   begin(null, null);
   while (asked.length > 0) await answerNext();
   stop();
@@ -163,6 +164,35 @@ test("what the page plans is in the picture before anything is asked, and its pr
   expect(now.newest?.run).toBe(pictured?.run);
   const { pace: _, ...whole } = now.newest as Outcome;
   expect(whole).toEqual(request && engine.update(request));
+});
+
+test("what the page plans slowly is planned behind the picture of the digit, and of several digits the last", async () => {
+  await answerNext();
+  Object.assign(page, { plans: true, isSlow: true });
+  const before = useOutcome.getState().pictured;
+  for (const Q483 of ["0.3", "0.37", "0.371"]) typeInto({ Q483 });
+  expect(useOutcome.getState()).toMatchObject({ pictured: before, stage: "reading" });
+  const seen: (string | undefined)[] = [];
+  const stop = useOutcome.atOnce.subscribe(({ planned }) => void seen.push(/Q483=\S+/.exec(planned?.text ?? "")?.[0]));
+  await vi.waitFor(() => expect(asked).toHaveLength(1));
+  stop();
+  expect([...new Set(seen)].filter((each) => each !== undefined)).toEqual(["Q483=+0.371"]);
+  expect(useOutcome.getState().planned?.text).toContain("Q483=+0.371");
+});
+
+test("what is not planned yet is forgotten with its work, and planned when emptied values come again", async () => {
+  await answerNext();
+  Object.assign(page, { plans: true, isSlow: true });
+  typeInto({ Q483: "0.37" });
+  typeInto({ Q483: "" });
+  expect(useOutcome.getState().paused).toBe(true);
+  typeInto({ Q483: "0.37" });
+  await vi.waitFor(() => expect(useOutcome.getState().planned?.text).toContain("Q483=+0.37"));
+  await answerNext();
+  typeInto({ Q483: "0.38" });
+  begin(exampleJob(second), "other");
+  await new Promise((done) => setTimeout(done, 60));
+  expect(useOutcome.getState().planned?.text ?? "").not.toContain("Q483=+0.38");
 });
 
 test("a proof that comes when more was typed leaves the newer path in the picture", async () => {

@@ -1,27 +1,23 @@
 import { proxy } from "comlink";
-import type { Job, SetJob } from "../../program/job.ts";
+import type { Job } from "../../program/job.ts";
 import { readText } from "../../program/field.ts";
 import { SETUP_FIELDS } from "../../program/setup-fields.ts";
 import { fileKey } from "../../program/program-files.ts";
 import type { ShopTools } from "../../program/read-tools.ts";
 import type { Control } from "../../program/plane-types.ts";
-import type { Operation } from "../../program/run-types.ts";
-import type { ToolFit } from "../../program/which-tool.ts";
-import type { Remedy } from "../../report/remedies.ts";
-import type { Residual } from "../../sim/simulation.ts";
 import { afterPicture } from "../after-picture.ts";
 import { printedText } from "../printed.ts";
-import { readJob, setJobOf } from "../reading.ts";
+import { readJob } from "../reading.ts";
 import { untilHere } from "../parts.ts";
 import { notice } from "../saving/keep.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useEditor, type Editor } from "../store.ts";
 import { useTools } from "../tools/tool-store.ts";
+import { whileTyping } from "../typing.ts";
 import { controlInUse, shopOf, toolTable } from "../tools/work-tools.ts";
 import { filesOf, isProgram, type ProgramWork, type Work, type WorkFile } from "../work.ts";
 import type { Comparer } from "../which/comparison.ts";
-import type { Called } from "./engine.ts";
-import { fetchPlan, forgetPace, notePace, planNow } from "./page-plan.ts";
+import { fetchPlan, forgetPace, notePace, planNow, plansBehindDigit } from "./page-plan.ts";
 import { pauseInTyping } from "./quiet.ts";
 import { simulationOf } from "./proved.ts";
 import type { Reported } from "./reported.ts";
@@ -121,8 +117,32 @@ async function work(): Promise<void> {
   atStage(null);
 }
 
-/** A changed work is calculated: the page plans it at once where that is quickly done, and the worker proves it. */
+/** Takes back what is to be planned behind the picture of a digit; null while nothing is. */
+let callOffPlan: (() => void) | null = null;
+
+function forgetPlan(): void {
+  callOffPlan?.();
+  callOffPlan = null;
+}
+
+/**
+ * A changed work is calculated: the page plans it at once where that is quickly done, and the worker proves it. What takes the page longer
+ * is planned behind the picture of the digit, and what waits behind that; of several digits in a row only the last is.
+ */
 function want(request: Wanted["request"]): void {
+  forgetPlan();
+  if (!plansBehindDigit()) return plan(request);
+  if (!busy) atStage("reading");
+  callOffPlan = afterPicture(() => {
+    const timer = setTimeout(() => {
+      callOffPlan = null;
+      whileTyping(() => plan(request));
+    });
+    callOffPlan = () => clearTimeout(timer);
+  });
+}
+
+function plan(request: Wanted["request"]): void {
   const made = isVeiled() ? null : planNow(request);
   const planned = made && { ...made, ...ofWork(request) };
   if (planned) takePlanned(planned);
@@ -136,6 +156,7 @@ function want(request: Wanted["request"]): void {
 /** Ends a calculation that takes too long; text and last picture stay. */
 export function cancelCalculation(): void {
   waiting = null;
+  forgetPlan();
   cancel(CANCELLED);
 }
 
@@ -157,6 +178,7 @@ let last: { readonly text: string; readonly table: ShopTools; readonly rapid: nu
 function leave(): void {
   last = null;
   waiting = null;
+  forgetPlan();
   left = version;
   const request = running;
   if (request)
@@ -191,8 +213,9 @@ function follow({ job, program, work: name }: Editor): void {
   if (last && (last.cycle !== job.cycle || last.work !== name)) leave();
   if (!read.reading.values) {
     // What waits is not calculated: should the same values come again, it is.
-    if (waiting) last = null;
+    if (waiting || callOffPlan) last = null;
     waiting = null;
+    forgetPlan();
     pause(true);
     return;
   }
@@ -221,47 +244,6 @@ export async function outcomeBeside(program: ProgramWork, timedAs = useEditor.ge
   try {
     const request = { version: 0, name, text, files: filesOf(program), skipMarked, ...shopOf(program) };
     return await askAgain((engine) => engine.update({ ...request, rapid: timedAs ? rapidOf(timedAs) : USUAL_RAPID }));
-  } catch {
-    return null;
-  }
-}
-
-const calledOf = ({ cycle, tool, feedUnit, call }: Operation): Called => ({ cycle, tool, feedUnit, call });
-
-/** What each tool of the table can do in place of the one that an operation called, best first; null when that cannot be said. */
-export async function fitsOfCall(operation: Operation): Promise<readonly ToolFit[] | null> {
-  try {
-    return await askAgain((engine) => engine.fitsOfCall(calledOf(operation), toolTable().tools));
-  } catch {
-    return null;
-  }
-}
-
-/** The tools of the table that would take what an operation left, the one that leaves least first; null when that cannot be said. */
-export async function remediesOf(operation: Operation, left: Residual): Promise<readonly Remedy[] | null> {
-  try {
-    return await askAgain((engine) => engine.remediesOf(calledOf(operation), left, toolTable().tools));
-  } catch {
-    return null;
-  }
-}
-
-/** What each tool of the table can do with the values of a job, best first; null when that cannot be said. */
-export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolFit[] | null> {
-  const { operations } = outcome.run;
-  const call = operations[0];
-  if (!call) return null;
-  try {
-    return await askAgain((engine) => engine.fits(setJobOf(job), { start: call.start, feedUnit: call.feedUnit, tools: toolTable().tools }));
-  } catch {
-    return null;
-  }
-}
-
-/** The same for a work that is not run: from its own start point. */
-export async function fitsOfWork(job: SetJob): Promise<readonly ToolFit[] | null> {
-  try {
-    return await askAgain((engine) => engine.fitsOfWork(job, toolTable().tools));
   } catch {
     return null;
   }

@@ -2,7 +2,7 @@ import { useEffect, useRef, useState } from "react";
 import type { ToolFit } from "../../program/which-tool.ts";
 import type { SetJob } from "../../program/job.ts";
 import { useEditor } from "../store.ts";
-import { fitsOf, fitsOfCall, fitsOfWork } from "./client.ts";
+import { fitsOf, fitsOfCall, fitsOfWork } from "./tool-questions.ts";
 import { useOutcome } from "./outcome.ts";
 
 /** Rest after the last change before all tools are tried, ms: it costs a plan per tool. */

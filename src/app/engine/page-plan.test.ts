@@ -1,5 +1,5 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import { fetchPlan, forgetPace, notePace, planNow, plansOnPage } from "./page-plan.ts";
+import { fetchPlan, forgetPace, notePace, planNow, plansBehindDigit, plansOnPage } from "./page-plan.ts";
 import type { Request } from "./request.ts";
 
 /** What the next run takes, ms, and whether it comes to nothing. */
@@ -47,6 +47,17 @@ test("a short text is planned at once, a long one not before it is known to be q
   expect(planNow(requestOf("L X+3.5", 20_000))).toBeNull();
   notePace(requestOf("L".repeat(20_001)), 39.6);
   expect(plans("L".repeat(20_001))).toBe(true);
+});
+
+test("a digit is drawn before its path where planning has taken long twice, also with quick runs between", () => {
+  const plansIn = (takes: number) => {
+    run.takes = takes;
+    plans();
+    return plansBehindDigit();
+  };
+  expect([26.1, 3.2, 25.7, 2.9, 31.4, 2.8].map(plansIn)).toEqual([false, false, true, true, true, true]);
+  forgetPace();
+  expect([180.5, 3.1, 2.6, 24.9].map(plansIn)).toEqual([false, false, false, false]);
 });
 
 test("what takes longer is left to the worker, until it takes less there", () => {

@@ -20,9 +20,11 @@ let plan: ((request: Request) => Planned) | null = null;
 let planAnew: ((request: Request) => Planned) | null = null;
 /** What the last runs of the open work took, on the page or in the worker, ms. The quickest counts: others had to wait for something. */
 let paces: readonly number[] = [];
-const LAST = 3;
+const LAST = 3, LAST_SLOW = 4;
+/** What a key may wait for beside its digit, ms. */
+const WITH_DIGIT = 25;
 const note = (took: number): void => {
-  paces = [...paces.slice(1 - LAST), took];
+  paces = [...paces.slice(1 - LAST_SLOW), took];
 };
 
 /** From now on the page plans, as soon as it can. Gives the way to call it off. */
@@ -87,7 +89,13 @@ const lengthOf = ({ text, files = [] }: Request): number => files.reduce((sum, f
 
 /** Whether a text of a length, with what it can call, is planned on the page. */
 export const plansOnPage = (characters: number): boolean =>
-  plan !== null && (paces.length === 0 ? characters <= SHORT : Math.min(...paces) <= MAY_TAKE);
+  plan !== null && (paces.length === 0 ? characters <= SHORT : Math.min(...paces.slice(-LAST)) <= MAY_TAKE);
+
+/**
+ * True where a digit is to be drawn before its path is planned, because two of the last runs took longer than anybody waits for a digit:
+ * one may have had to wait for something, and what was taken back is known and quick.
+ */
+export const plansBehindDigit = (): boolean => (paces.toSorted((a, b) => b - a)[1] ?? 0) > WITH_DIGIT;
 
 /** The run of a request, made now; null where the worker has to make it. */
 export function planNow(request: Request): Planned | null {

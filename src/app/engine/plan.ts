@@ -1,7 +1,7 @@
 import { parse } from "../../nc/parse.ts";
 import type { Program } from "../../nc/program.ts";
 import { readingAgain } from "../../nc/reread.ts";
-import type { Shop } from "../../program/machine.ts";
+import type { Shop } from "../../program/shop.ts";
 import { planMemory } from "../../program/plan-memory.ts";
 import { filesByName } from "../../program/program-files.ts";
 import { run } from "../../program/run.ts";

@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { writer } from "../../i18n/write.ts";
 import type { Remedy } from "../../report/remedies.ts";
-import { remediesOf } from "../engine/client.ts";
+import { remediesOf } from "../engine/tool-questions.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";

@@ -1,6 +1,6 @@
 import { useEffect, useState } from "react";
 import type { ToolFit } from "../../program/which-tool.ts";
-import { fitsOfCall } from "../engine/client.ts";
+import { fitsOfCall } from "../engine/tool-questions.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { FindingEntry } from "./entry.ts";

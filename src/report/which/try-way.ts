@@ -6,7 +6,7 @@ import type { Ring } from "../../kernel/point.ts";
 import { SLIVER } from "../../kernel/tolerance.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
 import { parse } from "../../nc/parse.ts";
-import type { Shop } from "../../program/machine.ts";
+import type { Shop } from "../../program/shop.ts";
 import type { RunFinding } from "../../program/run-types.ts";
 import { run } from "../../program/run.ts";
 import { wantedText } from "../../program/wanted-text.ts";

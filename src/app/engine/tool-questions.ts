@@ -1,0 +1,55 @@
+import type { Job, SetJob } from "../../program/job.ts";
+import type { Operation } from "../../program/run-types.ts";
+import type { ToolFit } from "../../program/which-tool.ts";
+import type { Remedy } from "../../report/remedies.ts";
+import type { Residual } from "../../sim/simulation.ts";
+import { setJobOf } from "../reading.ts";
+import { toolTable } from "../tools/work-tools.ts";
+import type { Called } from "./engine.ts";
+import type { Outcome } from "./outcome.ts";
+import { askAgain } from "./worker-life.ts";
+
+/*
+ * What the worker is asked about tools: which of the table can do what is open, and which would take what an operation left.
+ */
+
+const calledOf = ({ cycle, tool, feedUnit, call }: Operation): Called => ({ cycle, tool, feedUnit, call });
+
+/** What each tool of the table can do in place of the one that an operation called, best first; null when that cannot be said. */
+export async function fitsOfCall(operation: Operation): Promise<readonly ToolFit[] | null> {
+  try {
+    return await askAgain((engine) => engine.fitsOfCall(calledOf(operation), toolTable().tools));
+  } catch {
+    return null;
+  }
+}
+
+/** The tools of the table that would take what an operation left, the one that leaves least first; null when that cannot be said. */
+export async function remediesOf(operation: Operation, left: Residual): Promise<readonly Remedy[] | null> {
+  try {
+    return await askAgain((engine) => engine.remediesOf(calledOf(operation), left, toolTable().tools));
+  } catch {
+    return null;
+  }
+}
+
+/** What each tool of the table can do with the values of a job, best first; null when that cannot be said. */
+export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolFit[] | null> {
+  const { operations } = outcome.run;
+  const call = operations[0];
+  if (!call) return null;
+  try {
+    return await askAgain((engine) => engine.fits(setJobOf(job), { start: call.start, feedUnit: call.feedUnit, tools: toolTable().tools }));
+  } catch {
+    return null;
+  }
+}
+
+/** The same for a work that is not run: from its own start point. */
+export async function fitsOfWork(job: SetJob): Promise<readonly ToolFit[] | null> {
+  try {
+    return await askAgain((engine) => engine.fitsOfWork(job, toolTable().tools));
+  } catch {
+    return null;
+  }
+}
