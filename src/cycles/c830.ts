@@ -36,7 +36,8 @@ export const c830 = defineCycle({
     tool: 12,
     blank: { outside: "80", bore: "", length: "90", allowance: "0" },
     start: { x: "90", z: "10" },
-    contour: [{ kind: "L", x: "80", z: "0" }, { kind: "L", z: "-20" }, { kind: "L", x: "76", z: "-35" }],
+    // Along the cylinder: no blank of a set-up is a cone, and over the crest of a taper its material would stand.
+    contour: [{ kind: "L", x: "80", z: "0" }, { kind: "L", z: "-35" }],
     values: oneGroove,
   },
   thread: threadRoles(),
