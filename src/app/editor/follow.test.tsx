@@ -63,9 +63,21 @@ test("a prompt that is opened in the dialog takes the text along", () => {
   expect(line).toMatch(/^Q460/);
 });
 
-const TURNED = ["BEGIN PGM A MM", "BLK FORM CYLINDER Z D60 L80 DIST+0", "FUNCTION MODE TURN", "TOOL CALL 1",
-  "FUNCTION TURNDATA SPIN VCONST:ON VC:150", "M136", "L X+80 Z+10 R0 FMAX M303", "; turned by hand", "L X+58.3 FMAX", "L Z-21.7 F0.2",
-  "L X+80 FMAX", "M30", "END PGM A MM"];
+const TURNED = [
+  "BEGIN PGM A MM",
+  "BLK FORM CYLINDER Z D60 L80 DIST+0",
+  "FUNCTION MODE TURN",
+  "TOOL CALL 1",
+  "FUNCTION TURNDATA SPIN VCONST:ON VC:150",
+  "M136",
+  "L X+80 Z+10 R0 FMAX M303",
+  "; turned by hand",
+  "L X+58.3 FMAX",
+  "L Z-21.7 F0.2",
+  "L X+80 FMAX",
+  "M30",
+  "END PGM A MM",
+];
 
 /** Runs the program of blocks in place of the empty one, and notes each mark and each place that the text is turned to, as blocks. */
 function played() {
