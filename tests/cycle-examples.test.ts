@@ -38,13 +38,18 @@ describe.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the examp
   });
 });
 
-/** A round nose leaves something in the square corner of these; nothing else is to be told of an example. */
+/** A round nose leaves something in the square corner of these. */
 const SQUARE = [811, 813, 821, 823];
+/** What is to be told of an example and cannot be helped: a taper is cut in a cylinder, for a set-up has no other blank. Of all others nothing. */
+const TOLD: Readonly<Record<number, readonly string[]>> = {
+  ...Object.fromEntries(SQUARE.map((number) => [number, ["materialLeft"]])),
+  832: ["deeperThanInfeed", "materialLeft", "threadMeets"],
+};
 
-test.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the example of cycle %i opens without a warning", (number, cycle) => {
+test.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the example of cycle %i opens with no warning that can be helped", (number, cycle) => {
   const { issues } = verified("example.h", printJob(exampleJob(cycle), ncLabels("en")), tools);
-  const told = issues.filter((i) => i.severity !== "info").map((i) => i.code);
-  expect(told).toEqual(SQUARE.includes(number) ? ["materialLeft"] : []);
+  const told = new Set(issues.filter((i) => i.severity !== "info").map((i) => i.code));
+  expect([...told].toSorted()).toEqual(TOLD[number] ?? []);
 });
 
 test.each(SQUARE)("the example of the simple shoulder %i leaves what a round nose leaves in a square corner, and no more",

@@ -60,11 +60,10 @@ export const c832 = defineCycle({
   setup: {
     name: "TAPERTHREAD",
     tool: 12,
-    blank: { outside: "100", bore: "", length: "100", allowance: "0" },
-    start: { x: "110", z: "10" },
+    blank: { outside: "110", bore: "", length: "100", allowance: "0" },
+    start: { x: "120", z: "10" },
     contour: printedContour,
-    // No blank of a set-up is a cone: over the crest of the taper of the list 5 mm of material would stand.
-    values: { ...oneGroove, Q493: 100 },
+    values: oneGroove,
   },
   thread: threadRoles("Q491", "Q493"),
   steps: { rough: 8, finish: 0 },
