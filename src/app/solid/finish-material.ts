@@ -1,6 +1,7 @@
 import { Color, MeshPhongMaterial } from "three";
 import { LOOKS } from "../../view/solid/finish.ts";
 import { FEED_LINES } from "../../view/material/lines.ts";
+import { TONED } from "./tone.ts";
 
 /** How a surface differs from steel: towards light or dark, −1 … 1, and how it shines as a part of what steel does. */
 interface Gloss {
@@ -19,12 +20,25 @@ const GLOSS: Readonly<Record<`${(typeof LOOKS)[number]}`, Gloss>> = {
 /** How strong a mark of the feed is. */
 const MARK = 0.3;
 
+/** Colours of the page of which those of steel are made. */
+export interface SteelColours {
+  readonly steel: string;
+  readonly dark: string;
+  readonly light: string;
+}
+
+/** The colour of a surface in light that is as bright as white. */
+export function groundOf(texture: `${(typeof LOOKS)[number]}`, { steel, dark, light }: SteelColours): Color {
+  const { ground } = GLOSS[texture];
+  return new Color(steel).lerp(new Color(ground < 0 ? dark : light), Math.abs(ground));
+}
+
 const list = (of: (gloss: Gloss) => number) => LOOKS.map((name) => of(GLOSS[`${name}`]).toFixed(3)).join(", ");
 
 /** Steel as it was made: raw, rough with the marks of its feed at their pitch, threaded, or finished. */
 export interface FinishedSteel {
   readonly material: MeshPhongMaterial;
-  readonly colours: (of: { readonly steel: string; readonly dark: string; readonly light: string; readonly line: string }) => void;
+  readonly colours: (of: SteelColours & { readonly line: string }) => void;
 }
 
 /** The attribute in which a corner says how its surface looks. */
@@ -64,7 +78,8 @@ export function finishedSteel(): FinishedSteel {
         diffuseColor.rgb = mix(diffuseColor.rgb, mark, ${MARK} * fine * strength * step(0.000001, turnPixel));`).replace(
       "#include <specularmap_fragment>",
       "float specularStrength = SHINE[made];",
-    );
+    ).replace("#include <opaque_fragment>", `${TONED}
+        #include <opaque_fragment>`);
   };
   return {
     material,

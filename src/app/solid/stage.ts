@@ -10,6 +10,7 @@ import { createChipStage } from "./chip-stage.ts";
 import { finishedSteel, LOOKS_ATTRIBUTE } from "./finish-material.ts";
 import { createPathStage, LINE_COLOURS, type StageLines } from "./path-stage.ts";
 import { hatched } from "./section-material.ts";
+import { chuckTones, LIGHT } from "./tone.ts";
 
 /** Colours of the page, by the custom properties that hold them. */
 export const STAGE_COLOURS = {
@@ -20,7 +21,8 @@ export const STAGE_COLOURS = {
   steelLight: "--steel-light",
   line: "--contour",
   surface: "--surface",
-  chuck: "--line",
+  chuck: "--chuck",
+  chuckDark: "--chuck-dark",
   insert: "--insert",
   holder: "--holder",
   residual: "--residual",
@@ -62,8 +64,6 @@ export interface SolidStage {
 const HATCH = 8;
 /** What stays is a layer too thin to be told by lines of a hatch: its ground has its colour, and lines are paler by this, 0 … 1. */
 const PALE = 0.3;
-/** One light from over the operator's left shoulder, and what comes from all sides: together a face square to it has its colour. */
-const LIGHT = { key: 0.75 * Math.PI, around: 0.5 * Math.PI } as const;
 
 function geometryOf({ positions, normals, index, looks }: Mesh): BufferGeometry {
   const geometry = new BufferGeometry();
@@ -97,8 +97,9 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
   renderer.setClearAlpha(0);
   const space = new Space(), camera = new PerspectiveCamera((FIELD * 180) / Math.PI, 1, 1, 1000);
   const key = new DirectionalLight(0xffffff, LIGHT.key);
-  key.position.set(-0.55, 1, 0.9);
-  camera.add(key);
+  key.position.set(...LIGHT.from);
+  // It shines along with the eye: its aim would stay where the work is, and it would shine from the eye itself.
+  camera.add(key, key.target);
   camera.up.set(1, 0, 0);
   const world = new Group(), work = new Group(), chuck = new Group(), tool = new Group();
   const path = createPathStage(), chip = createChipStage();
@@ -170,8 +171,9 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       steel.colours({ steel: c.turned, dark: c.steelDark, light: c.steelLight, line: c.line });
       surfaces.residual.color.set(c.residual);
       surfaces.gouge.color.set(c.danger);
-      surfaces.chuck.color.set(c.chuck);
-      surfaces.jaw.color.set(c.chuck);
+      const { chuck: body, jaw } = chuckTones(c);
+      surfaces.chuck.color.set(body);
+      surfaces.jaw.color.set(jaw);
       surfaces.insert.color.set(c.insert);
       surfaces.holder.color.set(c.holder);
       sections.steel.colours(c.material, c.hatch);

@@ -1,0 +1,54 @@
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { Color } from "three";
+import { describe, expect, test } from "vitest";
+import { groundOf } from "./finish-material.ts";
+import { chuckTones, LIGHT, toned } from "./tone.ts";
+
+const sheet = readFileSync(join("src", "app", "styles", "tokens.css"), "utf8");
+/** The colours of an appearance: dark ones stand below light ones. */
+function tokensOf(theme: "light" | "dark"): (name: string) => string {
+  const from = theme === "light" ? 0 : sheet.indexOf(':root[data-theme="dark"]');
+  return (name) => new RegExp(`${name}: (#[0-9a-f]{6});`).exec(sheet.slice(from))?.[1] ?? expect.fail(`${name} is a colour`);
+}
+
+const [x, y, z] = LIGHT.from;
+/** What a surface of colour 1 sends when it is square to the eye, square to the light, and turned away from it. */
+const SEEN = {
+  eye: (LIGHT.around + (LIGHT.key * z) / Math.hypot(x, y, z)) / Math.PI,
+  light: (LIGHT.around + LIGHT.key) / Math.PI,
+  away: LIGHT.around / Math.PI,
+} as const;
+
+const luminance = ({ r, g, b }: Color) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+const contrast = (a: number, b: number) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+
+describe.each(["light", "dark"] as const)("in the %s appearance", (theme) => {
+  const token = tokensOf(theme), page = luminance(new Color(token("--surface")));
+  const steel = { steel: token("--steel-turned"), dark: token("--steel-dark"), light: token("--steel-light") };
+  const chuck = chuckTones({ chuck: token("--chuck"), chuckDark: token("--chuck-dark"), steelLight: token("--steel-light") });
+  const sent = (colour: Color, by: keyof typeof SEEN) => luminance(colour) * SEEN[by];
+
+  test.each(["raw", "rough", "thread", "finished"] as const)("%s steel stands out from the page, however it is turned", (texture) => {
+    for (const by of ["eye", "light", "away"] as const) {
+      expect(contrast(toned(sent(groundOf(texture, steel), by)), page)).toBeGreaterThan(1.2);
+    }
+  });
+
+  test("work, jaws and chuck are three things at the face, and none of them is the page", () => {
+    const [raw, finished] = [sent(groundOf("raw", steel), "eye"), toned(sent(groundOf("finished", steel), "eye"))];
+    const [body, jaw] = [sent(chuck.chuck, "eye"), sent(chuck.jaw, "eye")];
+    for (const [a, b] of [[raw, jaw], [raw, body], [jaw, body], [finished, jaw], [finished, body], [body, page], [jaw, page]] as const) {
+      expect(contrast(a, b)).toBeGreaterThan(1.15);
+    }
+  });
+});
+
+test("light is toned without a step and in its order, and never gets as bright as a page", () => {
+  expect(toned(0.317)).toBe(0.317);
+  for (let light = 0; light < 3; light += 0.0137) {
+    expect(toned(light + 0.0137)).toBeGreaterThan(toned(light));
+    expect(toned(light + 0.0137) - toned(light)).toBeLessThan(0.01371);
+    expect(toned(light)).toBeLessThan(0.82);
+  }
+});
