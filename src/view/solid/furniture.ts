@@ -1,3 +1,4 @@
+import { areaOfRing } from "../../kernel/area.ts";
 import { intersection, union } from "../../kernel/clip.ts";
 import { isDrill } from "../../kernel/drill.ts";
 import { holderOutlines, shankAxis } from "../../kernel/holder.ts";
@@ -11,6 +12,7 @@ import type { Bounds } from "../camera.ts";
 import { chuckDrawing } from "../material/chuck.ts";
 import { tipWays, workingBox } from "../scene.ts";
 import { extruded, plateEdges } from "./extrude.ts";
+import { jawOf } from "./jaw.ts";
 import type { Mesh } from "./mesh.ts";
 import { chordsFor, revolved, wholeMesh } from "./revolve.ts";
 
@@ -46,7 +48,7 @@ const turnedMesh = ({ positions, normals, index }: Mesh, angle: number): Mesh =>
 });
 
 /** Where the three jaws stand, from X up over the operator: none in the quarter that may be cut away. Radians. */
-const JAWS = [-15, 105, 225].map((degrees) => (degrees * Math.PI) / 180);
+export const JAWS = [-15, 105, 225].map((degrees) => (degrees * Math.PI) / 180);
 /** How much of the body of a chuck is shown, in its radii, and the width of a base jaw in that of its jaw. */
 const SHOWN = 0.4;
 const BASE = 0.76;
@@ -67,7 +69,7 @@ export function chuckParts(
   const half = halfJaw(material);
   const plates = ([[jaw, half], [base, BASE * half]] as const).map(([corners, side]) => {
     const ring = corners.map(([z, r]) => at(z, r));
-    return { mesh: extruded(ring, -side, side), edges: jawEdges(ring, side) };
+    return jawOf(areaOfRing(ring) < 0 ? ring.reverse() : ring, side);
   });
   const jaws = JAWS.flatMap((angle) =>
     plates.map(({ mesh, edges }): DrawnPart => ({ role: "jaw", mesh: turnedMesh(mesh, angle), edges: turnedRound(edges, angle) }))
@@ -77,12 +79,6 @@ export function chuckParts(
 
 /** Half the width of a jaw, mm, as in the drawing of the chuck. */
 const halfJaw = ({ high }: Bounds) => Math.min(60, Math.max(8, high * 0.42)) / 2;
-
-/** All edges of a plate with straight sides. */
-function jawEdges(outline: Ring, half: number): Float32Array {
-  const across = outline.flatMap((p) => [p.r, -half, p.z, p.r, half, p.z]);
-  return Float32Array.from([...plateEdges(outline, -half, half), ...across]);
-}
 
 /** One side of a drill, which is drawn as a body of revolution. */
 function upperHalf(ring: Ring): readonly Ring[] {
