@@ -115,15 +115,16 @@ function useLines(run: Run, shown: (step: number) => boolean): readonly StageLin
 }
 
 /** What is to be said of the picture itself: what its surfaces stand for, and what is not as in the shop. */
-function Notes({ told: { textures, rings, leftHanded }, milled, noBlank, t }: { readonly told: SolidTold; readonly milled: boolean;
+function Notes({ told: { textures, marked, rings, leftHanded }, milled, noBlank, t }: { readonly told: SolidTold; readonly milled: boolean;
   readonly noBlank: boolean; readonly t: SolidTexts })
 {
   const said = [noBlank && t.noBlank, milled && t.milled, rings && t.threads, leftHanded && t.left].filter((each) => each !== false);
   return (
     <div className="solid-notes small soft">
-      {textures.length > 1 && (
+      {textures.length + marked.length > 1 && (
         <ul className="solid-surfaces" aria-label={t.surfaces}>
           {textures.map((texture) => <li key={texture} className={`solid-${texture}`}>{t.textures[texture]}</li>)}
+          {marked.map((mark) => <li key={mark} className={`solid-${mark}`}>{t.marked[mark]}</li>)}
         </ul>
       )}
       {said.map((each) => <p key={each}>{each}</p>)}

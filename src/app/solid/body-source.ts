@@ -46,4 +46,4 @@ export function bodySource(): BodySource {
 }
 
 export const isSameTold = (a: SolidTold, b: SolidTold): boolean =>
-  a.rings === b.rings && a.leftHanded === b.leftHanded && a.textures.join() === b.textures.join();
+  a.rings === b.rings && a.leftHanded === b.leftHanded && a.textures.join() === b.textures.join() && a.marked.join() === b.marked.join();

@@ -34,7 +34,7 @@ export interface ShownWork {
   readonly contours: readonly (readonly Segment[])[];
 }
 
-export const NOTHING_TOLD: SolidTold = { rings: false, leftHanded: false, textures: [] };
+export const NOTHING_TOLD: SolidTold = { rings: false, leftHanded: false, textures: [], marked: [] };
 
 /** Brings work and eye onto a stage, and draws only when something has changed. */
 export interface Show {

@@ -17,6 +17,7 @@ export const solid: SolidTexts = {
   noBlank: "Kein Rohteil angegeben: Nur der Weg ist zu sehen.",
   surfaces: "Oberflächen",
   textures: { raw: "roh", rough: "geschruppt", thread: "Gewinde", finished: "geschlichtet" },
+  marked: { residual: "Restmaterial", gouge: "Konturverletzung, Kollision" },
   missing: "Dieser Browser zeigt hier kein 3D: Er hat kein WebGL. An seiner Stelle steht der Schnitt.",
   lost: "Die Grafikkarte wurde entzogen. Bis 3D wieder da ist, steht hier der Schnitt.",
   again: "3D nochmals versuchen",

@@ -18,6 +18,7 @@ export const solid = {
   noBlank: "No blank is stated: only the path is shown.",
   surfaces: "Surfaces",
   textures: { raw: "as delivered", rough: "rough", thread: "thread", finished: "finished" },
+  marked: { residual: "residual material", gouge: "gouge, collision" },
   missing: "This browser shows no 3D here: it has no WebGL to give. The section is shown in its place.",
   lost: "The graphics card was taken away. The section is shown until 3D is back.",
   again: "Try 3D again",

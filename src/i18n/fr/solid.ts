@@ -18,6 +18,7 @@ export const solid: SolidTexts = typeset({
   noBlank: "Aucun brut indiqué : seul le trajet est montré.",
   surfaces: "Surfaces",
   textures: { raw: "brut", rough: "ébauché", thread: "filetage", finished: "fini" },
+  marked: { residual: "matière résiduelle", gouge: "contour endommagé, collision" },
   missing: "Ce navigateur n’affiche pas de 3D ici : il n’a pas de WebGL. La coupe est montrée à sa place.",
   lost: "La carte graphique a été retirée. La coupe est montrée jusqu’au retour de la 3D.",
   again: "Réessayer la 3D",

@@ -28,7 +28,15 @@ export interface SolidTold {
   readonly rings: boolean;
   readonly leftHanded: boolean;
   readonly textures: readonly Texture[];
+  /** What is told apart from steel by its colour. */
+  readonly marked: readonly Marked[];
 }
+
+/** What a colour of its own stands for: what stayed, and where something ran into part or stock. */
+export type Marked = Exclude<MomentBody["role"], "steel">;
+const MARKED = ["residual", "gouge"] as const satisfies readonly Marked[];
+
+const isSeen = ({ solid }: MomentBody) => solid.surface.index.length > 0;
 
 /** The bodies of a moment, ready to be drawn, with what is to be said of them. */
 export interface ShownBodies {
@@ -44,7 +52,8 @@ export function shownBodies(
 ): ShownBodies {
   const finish = finishOf(stock, surfaces, position);
   const { bodies, hasRings, hasLeft } = bodiesAt({ stock, simulation, threads, position, size }, { ...turning, finish });
-  return { bodies, told: { rings: hasRings, leftHanded: hasLeft, textures: finish.textures } };
+  const marked = MARKED.filter((role) => bodies.some((body) => body.role === role && isSeen(body)));
+  return { bodies, told: { rings: hasRings, leftHanded: hasLeft, textures: finish.textures, marked } };
 }
 
 /** What can be handed from one thread to the other without a copy. */
