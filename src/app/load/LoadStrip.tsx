@@ -105,7 +105,7 @@ export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadS
         <p className="load-worst">
           <span className="soft small">{worst.limited && of === "speed" ? t.least : t.greatest}</span>
           <span className="number">
-            <b>{loadValue(t, lengths, of, worst.value)}</b> {loadPlaceText(t, lengths, worst)}
+            <b>{loadValue(t, lengths, of, worst.value)}</b> <span className="load-place">{loadPlaceText(t, lengths, worst)}</span>
           </span>
           <button type="button" className="button" disabled={isOld} onClick={() => goToLoad(playback, worst)}>{t.go}</button>
         </p>
