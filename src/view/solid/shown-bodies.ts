@@ -29,12 +29,12 @@ export interface SolidTold {
   readonly leftHanded: boolean;
   readonly textures: readonly Texture[];
   /** What is told apart from steel by its colour. */
-  readonly marked: readonly Marked[];
+  readonly marked: readonly ToldRole[];
 }
 
 /** What a colour of its own stands for: what stayed, and where something ran into part or stock. */
-export type Marked = Exclude<MomentBody["role"], "steel">;
-const MARKED = ["residual", "gouge"] as const satisfies readonly Marked[];
+export type ToldRole = Exclude<MomentBody["role"], "steel">;
+const MARKED = ["residual", "gouge"] as const satisfies readonly ToldRole[];
 
 const isSeen = ({ solid }: MomentBody) => solid.surface.index.length > 0;
 
