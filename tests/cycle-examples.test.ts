@@ -40,24 +40,24 @@ describe.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the examp
 
 /** A round nose leaves something in the square corner of these. */
 const SQUARE = [811, 813, 821, 823];
-/** What is to be told of an example and cannot be helped: a taper is cut in a cylinder, for a set-up has no other blank. Of all others nothing. */
+/** What is told of an example and cannot be helped: a taper is cut in a cylinder, for a set-up has no other blank. */
 const TOLD: Readonly<Record<number, readonly string[]>> = {
   ...Object.fromEntries(SQUARE.map((number) => [number, ["materialLeft"]])),
   832: ["deeperThanInfeed", "materialLeft", "threadMeets"],
 };
 
-test.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the example of cycle %i opens with no warning that can be helped", (number, cycle) => {
-  const { issues } = verified("example.h", printJob(exampleJob(cycle), ncLabels("en")), tools);
-  const told = new Set(issues.filter((i) => i.severity !== "info").map((i) => i.code));
-  expect([...told].toSorted()).toEqual(TOLD[number] ?? []);
-});
-
-test.each(SQUARE)("the example of the simple shoulder %i leaves what a round nose leaves in a square corner, and no more",
-  (number) => {
-    const cycle = cutting.find((c) => c.number === number) as (typeof cutting)[number];
-    const { proof, operations } = verified("example.h", printJob(exampleJob(cycle), ncLabels("en")), tools);
-    const nose = Number(operations[0]?.tool["RS"]);
-    expect(proof.residual.map((left) => left.reason)).toEqual(["insertRadius"]);
-    // The simulation cuts with chords half a micron off.
-    expect(Math.abs((proof.residual[0]?.area ?? NaN) - (1 - Math.PI / 4) * nose ** 2)).toBeLessThan(0.002);
+test.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the example of cycle %i opens with no warning that can be helped",
+  (number, cycle) => {
+    const { issues } = verified("example.h", printJob(exampleJob(cycle), ncLabels("en")), tools);
+    const told = new Set(issues.filter((i) => i.severity !== "info").map((i) => i.code));
+    expect([...told].toSorted()).toEqual(TOLD[number] ?? []);
   });
+
+test.each(SQUARE)("the example of the simple shoulder %i leaves what a round nose leaves in a square corner, and no more", (number) => {
+  const cycle = cutting.find((c) => c.number === number) as (typeof cutting)[number];
+  const { proof, operations } = verified("example.h", printJob(exampleJob(cycle), ncLabels("en")), tools);
+  const nose = Number(operations[0]?.tool["RS"]);
+  expect(proof.residual.map((left) => left.reason)).toEqual(["insertRadius"]);
+  // The simulation cuts with chords half a micron off.
+  expect(Math.abs((proof.residual[0]?.area ?? NaN) - (1 - Math.PI / 4) * nose ** 2)).toBeLessThan(0.002);
+});
