@@ -2,9 +2,15 @@ import { cleanup, render, screen, waitFor, within } from "@testing-library/react
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { catalogue } from "../../cycles/index.ts";
+import { parse } from "../../nc/parse.ts";
 import { exampleJob } from "../../program/job.ts";
+import { run } from "../../program/run.ts";
+import { shippedTools } from "../../program/shipped-tools.ts";
+import { simulate } from "../../sim/simulate.ts";
 import { draftOf, setPrompt } from "../edits.ts";
+import { useOutcome } from "../engine/outcome.ts";
 import { openPrompt } from "../place.ts";
+import { printedText } from "../printed.ts";
 import { useReading } from "../reading.ts";
 import { changeSettings } from "../settings/settings.ts";
 import { redo, undo } from "../steps.ts";
@@ -36,7 +42,10 @@ beforeEach(() => {
   goTo(prompts[0] ?? null);
   render(<Page />);
 });
-afterEach(cleanup);
+afterEach(() => {
+  cleanup();
+  useOutcome.setState({ newest: null });
+});
 
 test("ENT takes each value and ends with the copy button", async () => {
   const user = userEvent.setup();
@@ -217,4 +226,21 @@ test("prompts are asked in the language of the screen, with its decimal sign", a
   expect(input.value).toBe((typed(feed) ?? "").replace(".", ","));
   await user.keyboard("0,25{Enter}");
   expect(screen.getByRole("button", { name: new RegExp(`^${feed} .*0,250 mm/U`) })).toBeTruthy();
+});
+
+test("a fault that leaves no path is said at the prompt that shapes the contour, in front of what else is said there", async () => {
+  const end = prompts.findLast((q) => cycle.params[q]?.kind === "diameter") ?? "";
+  goTo(end);
+  setPrompt(end, "213.7");
+  const { job } = useEditor.getState();
+  const text = job ? printedText(job) : "", made = run(parse(text), { tools: shippedTools, rapid: 10_000 });
+  expect(made.steps.filter((step) => step.operation !== null)).toEqual([]);
+  useOutcome.setState({ newest: { version: 1, text, run: made, simulation: simulate(made) } });
+  const said = () => [...within(active()).getByRole("status", { name: "Findings" }).children].map((each) => each.textContent ?? "");
+  await waitFor(() => expect(said()).toHaveLength(2));
+  expect(said()[0]).toMatch(/^Error: T Tool: A ROUGH tool/);
+  expect(said()[1]).toMatch(/^Warning: D Outside ⌀: The contour/);
+  // Roughing or finishing has nothing to do with it.
+  goTo(prompts[0] ?? null);
+  await waitFor(() => expect(said()).toEqual([]));
 });

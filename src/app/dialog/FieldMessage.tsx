@@ -37,8 +37,13 @@ export function FieldMessage({ problem, decimals, place, calm = false, onTake, p
     <div className={`field-message ${shown}`}>
       <Icon name={shown} />
       <p>
-        <span className="unseen">{t.findings.severities[shown]}:</span>
-        {place !== undefined && <b>{place}:</b>}
+        <span className="unseen">{t.findings.severities[shown]}:{" "}</span>
+        {place !== undefined && (
+          <>
+            <b>{place}:</b>
+            {" "}
+          </>
+        )}
         {say(issue)}
       </p>
       {parameterField && issue.code === "unknownParameter" && (

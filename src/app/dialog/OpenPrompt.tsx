@@ -1,5 +1,5 @@
 import { Suspense, useId, useLayoutEffect, useRef, useState, type RefObject } from "react";
-import { isOpen, type FindingEntry } from "../findings/entry.ts";
+import { isError, isOpen, type FindingEntry } from "../findings/entry.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
@@ -29,6 +29,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
   const language = useSettings((s) => s.language);
   const { fields, opened } = session;
   const own = session.findings.filter((p) => p.at === prompt.id);
+  const besides = session.besides(prompt.id);
   const reading = session.readings[prompt.id];
   const waits = reading?.issue === null && reading.value === null && typeof reading.written === "object" && reading.written !== null;
   const untouched = opened.before.trim() === "";
@@ -44,6 +45,10 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
     commandsOf(session).take(text);
     input.current?.focus();
   };
+  const beside = ({ entry, place }: (typeof besides)[number]) => (
+    <FieldMessage key={entry.id} problem={entry} decimals={prompt.decimals} {...(place !== undefined && { place })}
+      {...(entry.at !== null && isSetupPlace(entry.at) && { onTake: takeAt(entry.at) })} />
+  );
   useLayoutEffect(() => {
     card.current?.scrollIntoView?.({ block: "nearest" });
   }, [prompt.id, opened.focus]);
@@ -104,14 +109,14 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
       </div>
       <div className="about" id={`${id}-about`} tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(prompt.letter)}>
         <div role="status" aria-label={t.findings.title}>
-          {own.map((entry, i) => (
-            <FieldMessage key={i} problem={entry} calm={calm(entry)} decimals={prompt.decimals} onTake={(n) => take(String(n))}
-              parameterField={session.asksParameters} />
-          ))}
-          {session.besides(prompt.id).map(({ entry, place }) => (
-            <FieldMessage key={entry.id} problem={entry} decimals={prompt.decimals} {...(place !== undefined && { place })}
-              {...(entry.at !== null && isSetupPlace(entry.at) && { onTake: takeAt(entry.at) })} />
-          ))}
+          {[
+            ...besides.filter(({ entry }) => isError(entry)).map(beside),
+            ...own.map((entry, i) => (
+              <FieldMessage key={i} problem={entry} calm={calm(entry)} decimals={prompt.decimals} onTake={(n) => take(String(n))}
+                parameterField={session.asksParameters} />
+            )),
+            ...besides.filter(({ entry }) => !isError(entry)).map(beside),
+          ]}
           {waits && <p className="field-message info">{t.approach.parameter}</p>}
         </div>
         {prompt.doubt !== null && explained === prompt.id && <p className="evidence-text small">{prompt.doubt}</p>}

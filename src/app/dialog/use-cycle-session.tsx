@@ -6,7 +6,7 @@ import { anyNumber, readText } from "../../program/field.ts";
 import type { SetupPlace } from "../../program/setup.ts";
 import { suggestedValue, type SuggestionContext } from "../../program/suggestion.ts";
 import { setPrompt, setPrompts } from "../edits.ts";
-import type { FindingEntry } from "../findings/entry.ts";
+import { isAboutTool, isError, type FindingEntry } from "../findings/entry.ts";
 import { useFindings } from "../findings/use-findings.ts";
 import { mayTakeKeyboard, openPrompt, showSection, usePlace } from "../place.ts";
 import type { JobReading } from "../reading.ts";
@@ -137,9 +137,14 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
   const placeOf = (at: string): string => {
     const place = setup.fields.find((f) => f.id === at);
     if (place) return place.name;
+    if (isAboutTool(at)) return t.setup.tool.title;
     const param = cycle.params[at];
     return t.dialog.value(at, param ? t.params[param.text as ParamTextId].label : "");
   };
+  /** A fault that leaves no path and has no prompt of its own: it is said at those that shape the contour, and at one that was changed. */
+  const isPathless = (entry: FindingEntry, id: string): boolean =>
+    isError(entry) && entry.spot === null && (entry.at === null || isAboutTool(entry.at))
+    && (cycle.params[id]?.shown === "outline" || (id in cycle.params && id === opened.prompt && draft[id] !== opened.before));
   const set: PromptSession["set"] = block?.set ?? ((id, text) => (isSetupPlace(id) ? setPlace(id, text) : setPrompt(id, text)));
   /** A pressed dimension opens its prompt; taken, its value goes into the open one, as a step of undo of its own. */
   const onPick = (q: string, taken: boolean) => {
@@ -163,7 +168,8 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     besides: (id) =>
       findings.flatMap((entry) => {
         const concerns = entry.at !== null && entry.at !== id && "other" in entry.issue.data && entry.issue.data.other === id;
-        return concerns && entry.at !== null ? [{ entry, place: placeOf(entry.at) }] : [];
+        if (!concerns && !isPathless(entry, id)) return [];
+        return [{ entry, ...(entry.at !== null && { place: placeOf(entry.at) }) }];
       }),
     picture: <HelpSlot read={read} q={opened.prompt !== null && opened.prompt in cycle.params ? opened.prompt : null} onPick={onPick} />,
     opened: { id: opened.prompt, before: opened.before, focus: opened.focus },
