@@ -9,14 +9,14 @@ import type { JobReading } from "../reading.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { followComparing } from "./before.ts";
-import type { ComparedNumber } from "./changes.ts";
+import { areaDecimals, durationText, type ComparedNumber } from "./changes.ts";
 import { chipArea, cutAtOnce, effectNow } from "./effect.ts";
 import { PinButton } from "./Pinned.tsx";
 import { MoreFaults, useChanges } from "./Was.tsx";
 
 /** What the values do, while they are typed: passes, real infeed, time, chip, what stays, and the proof. */
 export function EffectStrip({ read }: { readonly read: JobReading }) {
-  const { page: t, findings: words } = useTexts();
+  const texts = useTexts(), { page: t, findings: words } = texts;
   const language = useSettings((s) => s.language);
   const shown = useOutcome((s) => s.pictured);
   const proved = useOutcome((s) => s.shown);
@@ -24,6 +24,8 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
   const checking = useChecking();
   const verdict = useVerdict();
   const effect = shown && effectNow(shown, proved);
+  // A thread has no feed of its own: its chip grows and shrinks from pass to pass.
+  const cuts = read.cycle.group !== "thread";
   const chip = shown && chipArea(read, cutAtOnce(shown));
   const number = (value: number | null | undefined, decimals: number) =>
     value === null || value === undefined ? t.effect.unknown : formatFixed(language, value, decimals);
@@ -38,18 +40,16 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
       </dd>
     </div>
   );
-  const minutes = effect ? Math.floor(Math.round(effect.seconds) / 60) : 0;
-  const seconds = effect ? effect.seconds - (minutes > 0 ? minutes * 60 : 0) : 0;
 
   return (
     <section className="effect" aria-label={t.effect.title} aria-busy={checking.now} data-checking={checking.seen}>
       <dl className={dimmed ? "dimmed" : ""}>
         {cell(t.effect.passes, number(effect?.passes, 0), "", "passes")}
         {cell(t.effect.infeed, number(effect?.infeed, 3), "mm", "infeed")}
-        {cell(t.effect.time, effect ? t.effect.duration(minutes, formatFixed(language, seconds, minutes > 0 ? 0 : 1)) : t.effect.unknown,
-          "", "time")}
-        {cell(t.effect.chip, number(chip, 2), "mm²", "chip")}
-        {cell(t.effect.residual, effect && effect.residual === 0 ? t.effect.none : number(effect?.residual, 2),
+        {cell(t.effect.time, effect ? durationText(texts, language, effect.seconds) : t.effect.unknown, "", "time")}
+        {cuts && cell(t.effect.chip, number(chip, areaDecimals(chip ?? 0)), "mm²", "chip")}
+        {cell(t.effect.residual,
+          effect && effect.residual === 0 ? t.effect.none : number(effect?.residual, areaDecimals(effect?.residual ?? 0)),
           effect?.residual ? "mm²" : "", "residual")}
         <div className="effect-cell proof">
           <dt>

@@ -39,7 +39,8 @@ export function PinnedValues() {
   if (!pinned || !shown || !pictured) return null;
   const { pin: words, ...names } = t.page.effect;
   const now = settingOf(shown, pictured);
-  const numbers = COMPARED.map((name): Row => ({
+  // What neither setting knows is no row: a thread has no chip of one size.
+  const numbers = COMPARED.filter((name) => name !== "chip" || pinned.chip !== null || now.chip !== null).map((name): Row => ({
     name: names[name],
     pinned: numberText(t, lengths, pinned, name),
     now: numberText(t, lengths, now, name),

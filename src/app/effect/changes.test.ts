@@ -20,8 +20,22 @@ test("what is written the same has not changed", () => {
   expect(changeText(t, en, before, now, "time")).toBeNull();
   expect(changeText(t, en, before, now, "passes")).toBeNull();
 });
+test("a time that changed much is in hours and minutes, and an area keeps two digits however small it is", () => {
+  const [before, now] = [setting({}), setting({ seconds: 14_740.31 }, { chip: 0.0018 })];
+  expect(changeText(t, en, before, now, "time")).toBe("+4 h 4 min");
+  expect(changeText(t, en, now, setting({ seconds: 14_646.2 }), "time")).toBe("−1 min 34 s");
+  expect(changeText(texts("zh"), lengthsOf("zh", "mm"), before, now, "time")).toBe("+4 小时 4 分");
+  expect([0, 0.0018, 0.0567, 0.137, 2.5].map((chip) => numberText(t, en, setting({}, { chip }), "chip"))).toEqual([
+    "0.00",
+    "0.0018",
+    "0.057",
+    "0.14",
+    "2.50",
+  ]);
+});
 test("long times are in minutes, and what is not known is a dash", () => {
   expect(numberText(t, en, setting({ seconds: 84.61 }), "time")).toBe("1 min 25 s");
   expect(numberText(t, en, setting({ seconds: 7.34 }), "time")).toBe("7.3 s");
+  expect(numberText(t, en, setting({ seconds: 3599.6 }), "time")).toBe("1 h 0 min");
   expect(numberText(t, en, setting({ residual: null }), "residual")).toBe("–");
 });

@@ -1,3 +1,4 @@
+import type { Language } from "../../i18n/languages.ts";
 import type { Lengths } from "../../i18n/lengths.ts";
 import { formatFixed } from "../../i18n/number.ts";
 import type { Texts } from "../../i18n/index.ts";
@@ -7,13 +8,24 @@ import type { MeasuredSetting } from "./before.ts";
 export const COMPARED = ["passes", "infeed", "time", "chip", "residual", "faults"] as const;
 export type ComparedNumber = (typeof COMPARED)[number];
 
-const DECIMALS: Readonly<Record<ComparedNumber, number>> = { passes: 0, infeed: 3, time: 1, chip: 2, residual: 2, faults: 0 };
-
 const valueOf = ({ effect, chip, faults }: MeasuredSetting, name: ComparedNumber): number | null => {
   if (name === "chip") return chip;
   if (name === "faults") return faults;
   return name === "time" ? effect.seconds : effect[name];
 };
+
+/** Time as it is written: tenths below a minute, then minutes and seconds, then hours and minutes. */
+export function durationText({ page }: Texts, language: Language, seconds: number): string {
+  const minutes = Math.floor(Math.round(seconds) / 60);
+  return page.effect.duration(minutes,
+    formatFixed(language, minutes > 0 ? Math.max(0, seconds - minutes * 60) : seconds, minutes > 0 ? 0 : 1));
+}
+
+/** A smaller area is written with more decimals, so that two of its digits are seen, mm². */
+const SMALL = 0.1;
+
+/** Decimals of an area, mm². */
+export const areaDecimals = (mm2: number): number => mm2 > 0 && mm2 < SMALL ? Math.min(5, 1 - Math.floor(Math.log10(mm2))) : 2;
 
 /** One number of a setting as it is written. */
 export function numberText(t: Texts, lengths: Lengths, setting: MeasuredSetting, name: ComparedNumber): string {
@@ -21,11 +33,9 @@ export function numberText(t: Texts, lengths: Lengths, setting: MeasuredSetting,
   if (value === null) return words.unknown;
   if (name === "residual" && value === 0) return words.none;
   const { language } = lengths;
-  if (name === "infeed") return lengths.fixed(value, DECIMALS.infeed);
-  if (name === "chip" || name === "residual") return lengths.fixedArea(value, DECIMALS[name]);
-  if (name !== "time") return formatFixed(language, value, DECIMALS[name]);
-  const minutes = Math.floor(Math.round(value) / 60);
-  return words.duration(minutes, formatFixed(language, minutes > 0 ? value - minutes * 60 : value, minutes > 0 ? 0 : 1));
+  if (name === "infeed") return lengths.fixed(value, 3);
+  if (name === "chip" || name === "residual") return lengths.fixedArea(value, areaDecimals(value));
+  return name === "time" ? durationText(t, language, value) : formatFixed(language, value, 0);
 }
 
 /** What stands beside a number that another setting has changed: what it was, or for a time by how much. Null where it is the same. */
@@ -34,7 +44,6 @@ export function changeText(t: Texts, lengths: Lengths, before: MeasuredSetting, 
   const text = numberText(t, lengths, before, name);
   if (text === numberText(t, lengths, now, name) && name !== "time") return null;
   if (name !== "time" || was === null || is === null) return text;
-  const { language } = lengths, by = formatFixed(language, Math.abs(is - was), DECIMALS.time);
-  if (by === formatFixed(language, 0, DECIMALS.time)) return null;
-  return t.page.effect.longer(`${is > was ? "+" : "−"}${by}`);
+  const by = durationText(t, lengths.language, Math.abs(is - was));
+  return by === durationText(t, lengths.language, 0) ? null : `${is > was ? "+" : "−"}${by}`;
 }

@@ -125,8 +125,8 @@ export const page = {
     none: "keins",
     unknown: "–",
     waiting: "Die Werte ergeben noch keine Bahn. Das letzte mögliche Bild bleibt.",
-    duration: (minutes, seconds) => (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`),
-    longer: (by: string) => `${by} s`,
+    duration: (minutes, seconds) =>
+      minutes < 60 ? (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`) : `${Math.floor(minutes / 60)} h ${minutes % 60} min`,
     faults: "Konturverletzungen und Kollisionen",
     pin: {
       make: "Einstellung merken",

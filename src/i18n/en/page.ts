@@ -123,8 +123,8 @@ export const page = {
     none: "none",
     unknown: "–",
     waiting: "The values make no path yet. The last possible picture stays.",
-    duration: (minutes: number, seconds: string) => (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`),
-    longer: (by: string) => `${by} s`,
+    duration: (minutes: number, seconds: string) =>
+      minutes < 60 ? (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`) : `${Math.floor(minutes / 60)} h ${minutes % 60} min`,
     faults: "Gouges and collisions",
     pin: {
       make: "Pin this setting",

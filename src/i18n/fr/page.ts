@@ -125,8 +125,8 @@ export const page = {
     none: "aucune",
     unknown: "–",
     waiting: "Ces valeurs ne donnent pas encore de trajectoire. La dernière image possible reste affichée.",
-    duration: (minutes, seconds) => (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`),
-    longer: (by: string) => `${by} s`,
+    duration: (minutes, seconds) =>
+      minutes < 60 ? (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`) : `${Math.floor(minutes / 60)} h ${minutes % 60} min`,
     faults: "Contour endommagé et collisions",
     pin: {
       make: "Épingler ce réglage",
