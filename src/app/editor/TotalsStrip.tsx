@@ -5,7 +5,7 @@ import type { Program } from "../../nc/program.ts";
 import { operationsOf } from "../../program/operations.ts";
 import type { Run } from "../../program/run-types.ts";
 import { compareFromHere, followComparing } from "../effect/before.ts";
-import type { ComparedNumber } from "../effect/changes.ts";
+import { areaDecimals, type ComparedNumber } from "../effect/changes.ts";
 import { effectNow } from "../effect/effect.ts";
 import { PinButton } from "../effect/Pinned.tsx";
 import { MoreFaults, useChanges } from "../effect/Was.tsx";
@@ -36,6 +36,10 @@ function changesOf({ steps, operations }: Run): number {
   return changes;
 }
 
+/** Operations of a program; milled ones are none of its run, and then those of the text count, as in its list. */
+export const operationCount = (program: Program, { plane, operations }: Pick<Run, "plane" | "operations">): number =>
+  plane.length > 0 ? operationsOf(program).units.length : operations.length;
+
 /** What the whole program does: operations, passes, tool changes, time, what stays, and the proof. */
 export function TotalsStrip() {
   const t = useTexts();
@@ -54,7 +58,7 @@ export function TotalsStrip() {
   const program = useSession((s) => s.reading.program), run = shown?.run;
   // Milled motions know neither tool nor operation: those of the text are counted then.
   const tools = run && (run.plane.length > 0 ? toolCalls(program) : changesOf(run));
-  const operations = run && (run.operations.length || (run.plane.length > 0 ? operationsOf(program).units.length : 0));
+  const operations = run && operationCount(program, run);
   useEffect(() => {
     const stop = followComparing();
     // Another block is another dialog, where the same prompt may be open.
@@ -85,9 +89,11 @@ export function TotalsStrip() {
         {cell(words.passes, number(effect?.passes, 0), "", "passes")}
         {cell(words.time, effect ? words.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 0)) : words.unknown, "",
           "time")}
-        {cell(words.residual,
-          effect?.residual ? lengths.fixedArea(effect.residual, 2) : effect?.residual === 0 ? words.none : words.unknown,
-          effect?.residual ? lengths.words("mm²") : "", "residual")}
+        {cell(words.residual, effect?.residual
+          ? lengths.fixedArea(effect.residual, areaDecimals(effect.residual))
+          : effect?.residual === 0
+          ? words.none
+          : words.unknown, effect?.residual ? lengths.words("mm²") : "", "residual")}
         {cell(t.editor.blocks, number(shown?.run.program.blocks, 0))}
         <div className="effect-cell proof">
           <dt>
