@@ -181,8 +181,8 @@ const SEEN = { quiet: 900, patience: 60_000 };
 /** From a pressed key to the new path, and to the whole new picture: at the end of the work, where its stock shows every change. */
 export async function measureKeys(bench: Bench, work: MeasuredWork, options: BenchOptions): Promise<KeyResult> {
   const { page, turnwise } = bench;
-  await turnwise.lathe.button("last").click();
   await work.ask(turnwise);
+  await turnwise.lathe.button("last").click();
   await turnwise.dialog.value.fill("0.1");
   await bench.slow("page");
   const digits: number[] = [], paths: number[] = [], pictures: number[] = [], references: number[] = [], long: number[] = [];

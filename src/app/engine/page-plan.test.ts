@@ -55,9 +55,9 @@ test("a digit is drawn before its path where planning has taken long twice, also
     plans();
     return plansBehindDigit();
   };
-  expect([26.1, 3.2, 25.7, 2.9, 31.4, 2.8].map(plansIn)).toEqual([false, false, true, true, true, true]);
+  expect([61.1, 3.2, 60.7, 2.9, 131.4, 2.8].map(plansIn)).toEqual([false, false, true, true, true, true]);
   forgetPace();
-  expect([180.5, 3.1, 2.6, 24.9].map(plansIn)).toEqual([false, false, false, false]);
+  expect([180.5, 3.1, 2.6, 59.9].map(plansIn)).toEqual([false, false, false, false]);
 });
 
 test("what takes longer is left to the worker, until it takes less there", () => {

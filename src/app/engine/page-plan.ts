@@ -22,7 +22,7 @@ let planAnew: ((request: Request) => Planned) | null = null;
 let paces: readonly number[] = [];
 const LAST = 3, LAST_SLOW = 4;
 /** What a key may wait for beside its digit, ms. */
-const WITH_DIGIT = 25;
+const WITH_DIGIT = 60;
 const note = (took: number): void => {
   paces = [...paces.slice(1 - LAST_SLOW), took];
 };
