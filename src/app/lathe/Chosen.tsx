@@ -1,15 +1,18 @@
 import { useMemo, useSyncExternalStore } from "react";
 import type { Run } from "../../program/run-types.ts";
 import { segmentData, stretchData } from "../../view/path.ts";
+import { toolpath } from "../../view/scene.ts";
 import { useMarked } from "../selection.ts";
 
-/** What is chosen, over the path: moves, and elements of the contour. */
+/** What is chosen, over the path: moves, each in the form that it has there, and elements of the contour. */
 export function ChosenPath({ run }: { readonly run: Run }) {
   const { stretches, contour } = useMarked(run);
-  const d = useMemo(() => stretches.map(({ first, last }) => stretchData(run.steps.slice(first, last + 1))).join(""), [stretches, run]);
+  const shapes = useMemo(() => toolpath(stretches.flatMap(({ first, last }) => run.steps.slice(first, last + 1))), [stretches, run]);
   return (
     <>
-      {d && <path className="shape-marked" d={d} />}
+      {shapes.length > 0 && (
+        <g className="shape-marked">{shapes.map(({ role, d }) => <path key={role} className={`shape-${role}`} d={d} />)}</g>
+      )}
       {contour.length > 0 && <path className="shape-marked-contour" d={segmentData(contour)} />}
     </>
   );
