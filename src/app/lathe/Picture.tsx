@@ -1,7 +1,8 @@
-import { memo, useEffect, useId, useMemo, useRef } from "react";
+import { memo, useEffect, useId, useMemo, useRef, type CSSProperties } from "react";
 import type { Camera } from "../../view/camera.ts";
 import type { Ring } from "../../kernel/point.ts";
 import type { Run } from "../../program/run-types.ts";
+import { outsideData } from "../../view/material/outside.ts";
 import { ringData } from "../../view/path.ts";
 import type { PathStretch } from "../../view/passes.ts";
 import type { Scene, Shape } from "../../view/scene.ts";
@@ -58,6 +59,22 @@ function ResidualHatch({ viewport, id }: { readonly viewport: Viewport; readonly
   );
 }
 
+/** So far a drawing goes at most, mm. */
+const FAR = 100_000;
+
+/** Leaves out what lies behind the outer surface of the finished part; what lies along that surface stays. */
+function BeforeSurface({ id, moving }: { readonly id: string; readonly moving: Moving }) {
+  const { steps, stockAt } = moving;
+  const d = useMemo(() => outsideData(stockAt({ step: steps.length, fraction: 0 })), [steps, stockAt]);
+  return (
+    <mask id={id} className="before-surface" maskUnits="userSpaceOnUse" x={-FAR} y={-FAR} width={2 * FAR} height={2 * FAR}>
+      <rect x={-FAR} y={-FAR} width={2 * FAR} height={2 * FAR} />
+      <path d={d} />
+      <path d={d} transform="scale(1 -1)" />
+    </mask>
+  );
+}
+
 const NOTHING: readonly Ring[] = [];
 
 /**
@@ -90,7 +107,7 @@ export function Picture({ of = null, viewport, scene, moving, waiting, gouges, r
     readonly children: React.ReactNode;
   })
 {
-  const id = useId(), full = section === "full";
+  const id = useId(), full = section === "full", surface = section === "outside" && moving ? `url(#${id}surface)` : null;
   const isLong = useMemo(() => path.reduce((sum, { shapes }) => shapes.reduce((s, { d }) => s + d.length, sum), 0) > LONG_PATH, [path]);
   const sheets = useMemo(() => ({
     blank: scene.shapes.filter((shape) => shape.role === "blank"),
@@ -105,13 +122,16 @@ export function Picture({ of = null, viewport, scene, moving, waiting, gouges, r
       <svg className="sheet ghosts">
         <World viewport={viewport} shifts>{ghosts}</World>
       </svg>
-      <svg className="sheet still">
+      <svg className="sheet still" {...(surface && { style: { "--surface-mask": surface } as CSSProperties })}>
         <ResidualHatch viewport={viewport} id={id} />
         <World viewport={viewport} shifts>
-          {residual.length > 0 && <Rings rings={residual} role="residual" fill={`url(#${id}residual)`} />}
-          <Still shapes={sheets.blank} mirror={full} />
-          {moving && <NewestPath of={of} stretches={path} playback={moving.playback} isLong={isLong} />}
-          <NewestContour of={of} shapes={sheets.contour}>{(shapes) => <Still shapes={shapes} mirror={full} />}</NewestContour>
+          {surface && moving && <BeforeSurface id={`${id}surface`} moving={moving} />}
+          <g className="seen-outside">
+            {residual.length > 0 && <Rings rings={residual} role="residual" fill={`url(#${id}residual)`} />}
+            <Still shapes={sheets.blank} mirror={full} />
+            {moving && <NewestPath of={of} stretches={path} playback={moving.playback} isLong={isLong} />}
+            <NewestContour of={of} shapes={sheets.contour}>{(shapes) => <Still shapes={shapes} mirror={full} />}</NewestContour>
+          </g>
           {gouges.length > 0 && <Rings rings={gouges} role="gouge" />}
           {chosen}
         </World>
