@@ -5,6 +5,7 @@ import type { SolidTexts } from "../../i18n/en/solid.ts";
 import { pathInSpace, segmentsInSpace } from "../../view/solid/path-lines.ts";
 import type { SolidTold } from "../../view/solid/shown-bodies.ts";
 import { NAMED_VIEWS } from "../../view/solid/orbit.ts";
+import { tonedSides, type TonedSide } from "../../view/solid/tones.ts";
 import type { Clock } from "../clock.ts";
 import type { LookAt } from "../lathe/places.ts";
 import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
@@ -101,17 +102,27 @@ function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
   return { field, canvas, running, told };
 }
 
-/** Path and colours as lines in space: where something is told by colour, the path lies faint under it. */
-function useLines(run: Run, shown: (step: number) => boolean): readonly StageLines[] {
+const NO_TONES: readonly TonedSide[] = [];
+
+/**
+ * Path and colours as lines in space: where something is told by colour, the path lies faint under it. What is told of surfaces lies on
+ * them as well.
+ */
+function useTold(
+  run: Run,
+  shown: (step: number) => boolean,
+): { readonly lines: readonly StageLines[]; readonly tones: readonly TonedSide[] } {
   const colours = useSettings((s) => s.colours), told = useLoadDrawing(run, colours === "none" ? null : colours, shown);
   const path = useMemo(() => pathInSpace(run.steps, shown).map(({ role, ...lines }): StageLines => ({ ...lines, look: { role } })), [
     run,
     shown,
   ]);
-  return useMemo(
+  const lines = useMemo(
     () => [...path, ...told?.lines.map(({ tone, segments }): StageLines => ({ ...segmentsInSpace(segments), look: { tone } })) ?? []],
     [path, told],
   );
+  const tones = useMemo(() => (told && colours === "roughness" ? tonedSides(told.lines) : NO_TONES), [told, colours]);
+  return { lines, tones };
 }
 
 /** What is to be said of the picture itself: what its surfaces stand for, and what is not as in the shop. */
@@ -142,8 +153,9 @@ function Tried({ work, run, lines: shown, state, clock, places, chosen, choose, 
   useEffect(() => running?.stage.setColours(pageColours(STAGE_COLOURS)), [running, theme]);
   useEffect(() => running?.show.setLook({ quarterCut, xDown }), [running, quarterCut, xDown, theme]);
   useEffect(() => running?.show.setWork(work), [running, work]);
-  const lines = useLines(run, shown);
+  const { lines, tones } = useTold(run, shown);
   useEffect(() => running?.show.setLines(lines), [running, lines]);
+  useEffect(() => running?.show.setTones(tones), [running, tones]);
   useEffect(() => {
     if (!running || trouble) return undefined;
     const { zoom, fit, show } = running.eye;

@@ -11,6 +11,7 @@ import { chordsFor } from "../../view/solid/revolve.ts";
 import { shownBodies, type BodiesAsked, type ShownBodies, type SolidTold } from "../../view/solid/shown-bodies.ts";
 import { THREAD_FINENESS } from "../../view/solid/threaded.ts";
 import { runThreads, type RunThreads } from "../../view/solid/thread-cuts.ts";
+import type { TonedSide } from "../../view/solid/tones.ts";
 import { UNTOUCHED } from "../../view/material/surfaces.ts";
 import { tipAt } from "../../view/tip.ts";
 import { stopwatch, type Clock } from "../clock.ts";
@@ -40,6 +41,8 @@ export const NOTHING_TOLD: SolidTold = { rings: false, leftHanded: false, textur
 export interface Show {
   readonly setWork: (work: ShownWork) => void;
   readonly setLines: (lines: readonly StageLines[]) => void;
+  /** What is told of surfaces by tones. */
+  readonly setTones: (tones: readonly TonedSide[]) => void;
   readonly setLook: (look: { readonly quarterCut: boolean; readonly xDown: boolean }) => void;
   /** The canvas, and how much of it lies below the picture: buttons are there. */
   readonly setSize: (size: Size, below: number) => void;
@@ -64,6 +67,8 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
   let work: ShownWork | null = null;
   let threads: RunThreads | null = null;
   let [quarterCut, xDown] = [true, false];
+  /** What is told of surfaces, and how often that has changed. */
+  let [tones, toneTurn]: [readonly TonedSide[], number] = [[], 0];
   let [box, seen]: [Bounds | null, Bounds | null] = [null, null];
   let [drawnRings, drawnKey, drawnTool]: [readonly Ring[], string, Tool | null] = [[], "", null];
   /** The moment whose stock is seen, and how. */
@@ -95,7 +100,8 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
     const position = atOf(moving), high = box?.high ?? 1, chords = playing() ? Math.min(QUICK, chordsFor(high)) : chordsFor(high);
     const faults = simulation?.findings.filter((f) => f.step < position.step || (f.step === position.step && position.fraction > 0)).length
       ?? 0;
-    const look = [chords, quarterCut, xDown].join(), moment = [faults, position.step >= steps.length, playing() || position.step].join();
+    const look = [chords, quarterCut, xDown, toneTurn].join(),
+      moment = [faults, position.step >= steps.length, playing() || position.step].join();
     const asked: BodiesAsked = {
       position,
       size: box ? Math.max(box.right - box.left, box.high) : 1,
@@ -105,6 +111,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
         hand: xDown ? -1 : 1,
         ...THREAD_FINENESS[playing() ? "playing" : "resting"],
       },
+      tones,
     };
     return { look, key: `${look} ${moment}`, asked };
   }
@@ -232,6 +239,11 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
     setLines(lines) {
       stage.setLines(lines);
       ask();
+    },
+    setTones(next) {
+      if (next.length === 0 && tones.length === 0) return;
+      [tones, toneTurn] = [next, toneTurn + 1];
+      changeWork();
     },
     setLook(look) {
       [quarterCut, xDown] = [look.quarterCut, look.xDown];

@@ -168,7 +168,8 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       drawShare();
     },
     setColours(c) {
-      steel.colours({ steel: c.turned, dark: c.steelDark, light: c.steelLight, line: c.line });
+      const tones = [c.tone0, c.tone1, c.tone2, c.tone3, c.tone4, c.tone5, c.tone6];
+      steel.colours({ steel: c.turned, dark: c.steelDark, light: c.steelLight, line: c.line, tones });
       surfaces.residual.color.set(c.residual);
       surfaces.gouge.color.set(c.danger);
       const { chuck: body, jaw } = chuckTones(c);

@@ -9,7 +9,7 @@ export interface Mesh {
   readonly normals: Float32Array;
   /** Three corners for each triangle. */
   readonly index: Uint32Array;
-  /** How the surface looks at each corner, where that is known: its texture, by its place in `LOOKS`, and the turn that left it, or 0. */
+  /** How the surface looks at each corner, where that is known: as `lookAt` says it, and the turn that left it, or 0. */
   readonly looks?: Float32Array;
 }
 

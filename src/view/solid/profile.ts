@@ -40,7 +40,20 @@ function isSmooth(a: Side, b: Side): boolean {
 /** Points nearer to the axis than a control can tell lie on it. */
 const settled = (p: Pt): Pt => (p.r < SAME ? at(p.z, 0) : p);
 
-const isAlike = (a: SideLook | null | undefined, b: SideLook | null | undefined) => a?.texture === b?.texture && !a?.turnAt && !b?.turnAt;
+const isAlike = (a: SideLook | null | undefined, b: SideLook | null | undefined) =>
+  a?.texture === b?.texture && a?.tone === b?.tone && !a?.turnAt && !b?.turnAt;
+
+/** A side without a tone that is shorter than this between two with one has that before it, mm: it would be a speck. */
+const SPECK = 0.15;
+
+/** The looks of sides, one after the other round an outline, without specks. */
+function unspecked(looks: readonly (SideLook | null)[], sides: readonly Side[]): readonly (SideLook | null)[] {
+  return looks.map((look, i) => {
+    const before = looks.at(i - 1)?.tone ?? null, after = looks[(i + 1) % looks.length]?.tone ?? null;
+    const isSpeck = look?.tone === null && (sides[i]?.long ?? 0) < SPECK && after !== null;
+    return isSpeck && before !== null ? { ...look, tone: before } : look;
+  });
+}
 
 /** An outline (material to the left) as smooth and sharp places; null when it encloses nothing. `finish` has parted it. */
 export function profileOf(ring: Ring, finish?: StockLooks): Profile | null {
@@ -54,7 +67,7 @@ export function profileOf(ring: Ring, finish?: StockLooks): Profile | null {
     const [dz, dr] = [to.z - p.z, to.r - p.r], long = Math.hypot(dz, dr) || 1;
     return { nz: dr / long, nr: -dz / long, long };
   });
-  const looks = corners.map((p, i) => finish?.of(p, corners[(i + 1) % corners.length] ?? p) ?? null);
+  const looks = unspecked(corners.map((p, i) => finish?.of(p, corners[(i + 1) % corners.length] ?? p) ?? null), sides);
   const points: TurnedPoint[] = [], sharp: number[] = [];
   const ends = corners.map((p, i) => {
     const before = sides[(i + sides.length - 1) % sides.length], after = sides[i];

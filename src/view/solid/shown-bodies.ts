@@ -5,6 +5,7 @@ import { finishOf } from "./finish.ts";
 import { bodiesAt, type MomentBody } from "./moment.ts";
 import type { RunThreads } from "./thread-cuts.ts";
 import type { ThreadTurning } from "./threaded.ts";
+import type { TonedSide } from "./tones.ts";
 
 /** What bodies of a run are made from. */
 export interface TurnedRun {
@@ -20,6 +21,8 @@ export interface BodiesAsked {
   /** Size of the part, mm. */
   readonly size: number;
   readonly turning: Omit<ThreadTurning, "finish">;
+  /** What is told of surfaces by tones; it is seen where they are as they will stay. */
+  readonly tones?: readonly TonedSide[];
 }
 
 /** What is to be said of what is seen. */
@@ -48,9 +51,9 @@ export interface ShownBodies {
 export function shownBodies(
   stock: readonly Ring[],
   { simulation, threads, surfaces }: TurnedRun,
-  { position, size, turning }: BodiesAsked,
+  { position, size, turning, tones }: BodiesAsked,
 ): ShownBodies {
-  const finish = finishOf(stock, surfaces, position);
+  const finish = finishOf(stock, surfaces, position, tones);
   const { bodies, hasRings, hasLeft } = bodiesAt({ stock, simulation, threads, position, size }, { ...turning, finish });
   const marked = MARKED.filter((role) => bodies.some((body) => body.role === role && isSeen(body)));
   return { bodies, told: { rings: hasRings, leftHanded: hasLeft, textures: finish.textures, marked } };

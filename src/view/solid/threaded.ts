@@ -100,7 +100,7 @@ function rowOf({ side, rows }: { readonly side: ThreadSide; readonly rows: Threa
   return { z, r: rows.height.subarray(own * columns, (own + 1) * columns).map((h) => side * h), crest: rows.crests[own] ?? false };
 }
 
-const THREAD = lookAt({ texture: "thread", turnAt: null }, at(0, 0));
+const THREAD = lookAt({ texture: "thread", turnAt: null, tone: null }, at(0, 0));
 
 const same = (n: number, columns: number) => new Float64Array(columns).fill(n);
 
