@@ -25,9 +25,9 @@ test("diameter, length, radius, angle by keys: they stay, follow a value, go ont
   await expect(tools.getByRole("button", { name: kinds.diameter })).toHaveAttribute("aria-pressed", "true");
   await expect(label(`${kinds.diameter} ⌀54.736, contour`)).toBeVisible();
   await press("r", "n", "Enter");
-  await expect(label(`${kinds.radius} R1.5, contour`)).toBeVisible();
+  await expect(label(`${kinds.radius} R1.500, contour`)).toBeVisible();
   await press("a", "n", "n", "Enter", "Enter");
-  await expect(label(`${kinds.angle} 5°, contour`)).toBeVisible();
+  await expect(label(`${kinds.angle} 5.000°, contour`)).toBeVisible();
   await press("l", "n", "Enter", "p", "p", "Enter");
   await expect(label(/^Length \d+\.\d+, contour/)).toBeVisible();
   await accessible(page);
@@ -35,14 +35,14 @@ test("diameter, length, radius, angle by keys: they stay, follow a value, go ont
   // The cone is another one with another angle: its numbers go along.
   await press("Escape");
   await dialog.set("Q495", "7");
-  await expect(label(`${kinds.angle} 7°, contour`)).toBeVisible();
+  await expect(label(`${kinds.angle} 7.000°, contour`)).toBeVisible();
   await expect(label(/^Diameter ⌀5\d\.\d{3}, contour$/)).not.toHaveText("⌀54.736");
   await turnwise.undo();
   await expect(label(`${kinds.diameter} ⌀54.736, contour`)).toBeVisible();
 
   await page.reload();
   await effect.proved();
-  const radius = label(`${kinds.radius} R1.5, contour`);
+  const radius = label(`${kinds.radius} R1.500, contour`);
   await radius.press("ArrowUp");
   await radius.press("Delete");
   await expect(radius).toHaveCount(0);
@@ -51,11 +51,11 @@ test("diameter, length, radius, angle by keys: they stay, follow a value, go ont
 
   await sheet.open();
   const drawing = sheet.preview.getByRole("img", { name: sheet.words.drawingOf("SHOULDER812") });
-  await expect(drawing).toContainText("R1.5");
-  await expect(sheet.preview).toContainText(`${kinds.angle} 5°, contour`);
+  await expect(drawing).toContainText("R1.500");
+  await expect(sheet.preview).toContainText(`${kinds.angle} 5.000°, contour`);
   expect((await page.pdf({ preferCSSPageSize: true })).byteLength).toBeGreaterThan(10_000);
   await page.getByRole("checkbox", { name: sheet.words.withMeasured }).uncheck();
-  await expect(drawing).not.toContainText("R1.5");
+  await expect(drawing).not.toContainText("R1.500");
 });
 
 test("by touch: a tap on a surface, a finger beside the point, a text that is moved, and all of it cleared", async ({ page }) => {

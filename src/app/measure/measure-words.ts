@@ -1,31 +1,19 @@
 import type { MeasureTexts } from "../../i18n/en/measure.ts";
 import type { Lengths } from "../../i18n/lengths.ts";
-import { formatFixed, formatNumber } from "../../i18n/number.ts";
+import { formatFixed } from "../../i18n/number.ts";
 import { loadMeasure } from "../../i18n/load-measure.ts";
 import type { MeasuredKind, MeasuredMoment } from "../../kernel/measured.ts";
-import { INCH, rounded } from "../../kernel/units.ts";
+import { INCH } from "../../kernel/units.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import { laterTexts } from "../settings/later-texts.ts";
 
 /** The texts of measuring, in the screen language. */
 export const { useThem: useMeasureTexts } = laterTexts(loadMeasure);
 
-/** A length with two decimals, or three where it needs them. */
-const lengthText = ({ language, unit, fixed }: Lengths, value: number): string =>
-  unit === "mm" ? formatFixed(language, rounded(value), Math.abs(Math.round(value * 1000) % 10) > 0 ? 3 : 2) : fixed(value, 3);
-
-/** A measured value as it stands on a print: ⌀42.000, 35.00, R1.5, 30°. */
+/** A measured value as the control writes numbers: ⌀42.000, 35.000, R1.500, 30.000°. */
 export function gaugedText(lengths: Lengths, kind: MeasuredKind, value: number): string {
-  switch (kind) {
-    case "diameter":
-      return `⌀${lengths.fixed(value, 3)}`;
-    case "radius":
-      return `R${lengths.number(value)}`;
-    case "angle":
-      return `${formatNumber(lengths.language, value, 3)}°`;
-    default:
-      return lengthText(lengths, value);
-  }
+  if (kind === "angle") return `${formatFixed(lengths.language, value, 3)}°`;
+  return `${kind === "diameter" ? "⌀" : kind === "radius" ? "R" : ""}${lengths.fixed(value, 3)}`;
 }
 
 /** A length in the other unit, inches or millimetres; empty for an angle. */

@@ -47,6 +47,24 @@ describe("dimensions over the picture", () => {
     }
   });
 
+  test("as long as there is room no line runs through a text, and none strikes one that the drawing has", () => {
+    const through = ({ id, lines }: (typeof standing)[number]) =>
+      standing.filter(({ id: other, box }) =>
+        other !== id && ends(lines).some(([x = 0, y = 0, x2 = 0, y2 = 0]) =>
+          Array.from({ length: 401 }, (_, i) => i / 400).some((k) => {
+            const [px, py] = [x + (x2 - x) * k, y + (y2 - y) * k];
+            return px > box.x && px < box.x + box.width && py > box.y && py < box.y + box.height;
+          })
+        )
+      ).map(({ id: other }) => `${id} through ${other}`);
+    expect(standing.flatMap(through)).toEqual([]);
+    // The first place of a length is in line with a text of the drawing, which its line would strike.
+    const length = asked("1", { kind: "along", from: at(-54.87, 23.1), to: at(-1.15, 8.5) }, "53.720");
+    const [plain] = standingMeasurements({ ...paper, kept: [] }, [length]), y = plain?.middle.y ?? 0;
+    const kept = [{ x: 420, y: y - 8, width: 30, height: 16 }], [clear] = standingMeasurements({ ...paper, kept }, [length]);
+    expect(Math.abs((clear?.middle.y ?? y) - y)).toBeGreaterThan(8);
+  });
+
   test("a text that was put by hand stands there, whatever lies there, and its dimension goes with it", () => {
     const put = at(-37.3, 31.9), [one] = standingMeasurements(paper, [{ ...some[2]!, put }]);
     expect(one?.middle).toEqual(toScreen(camera, put));

@@ -145,29 +145,93 @@ function movedInside(p: Place, box: LabelBox, { size, edges }: MeasurementPaper)
   };
 }
 
+/** The first of those for which a number is the least. */
+function leastOf<Each>(all: readonly Each[], numberOf: (each: Each) => number): Each | undefined {
+  let best: Each | undefined, least = Infinity;
+  for (const each of all) {
+    const number = least > 0 ? numberOf(each) : Infinity;
+    if (number >= least) continue;
+    best = each;
+    least = number;
+  }
+  return best;
+}
+
+/** The straight pieces of path data; of an arc its chord. */
+function piecesOf(lines: string): readonly (readonly [Place, Place])[] {
+  const pieces: [Place, Place][] = [];
+  let last: Place | null = null;
+  for (const [, letter, numbers = ""] of lines.matchAll(/([MLA])([^MLA]*)/g)) {
+    const [y = 0, x = 0] = numbers.trim().split(/\s+/).map(Number).toReversed(), here = { x, y };
+    if (letter !== "M" && last) pieces.push([last, here]);
+    last = here;
+  }
+  return pieces;
+}
+
+/** True where a line runs through a box. */
+function runsThrough([a, b]: readonly [Place, Place], { x, y, width, height }: LabelBox): boolean {
+  let [low, high] = [0, 1];
+  for (const [from, way, least, most] of [[a.x, b.x - a.x, x, x + width], [a.y, b.y - a.y, y, y + height]] as const) {
+    if (way === 0 && (from <= least || from >= most)) return false;
+    if (way === 0) continue;
+    const ends = [(least - from) / way, (most - from) / way];
+    low = Math.max(low, Math.min(...ends));
+    high = Math.min(high, Math.max(...ends));
+  }
+  return low < high;
+}
+
+/** A dimension where it stands, with the pieces of its lines. */
+interface Standing {
+  readonly made: StandingMeasurement;
+  readonly pieces: readonly (readonly [Place, Place])[];
+}
+
+/** How many texts and lines run through each other, between one dimension and others with the boxes that are kept free. */
+function crossings({ made: { box }, pieces }: Standing, others: readonly Standing[], kept: readonly LabelBox[]): number {
+  const texts = [...kept, ...others.map(({ made }) => made.box)];
+  return texts.filter((text) => pieces.some((piece) => runsThrough(piece, text))).length
+    + others.filter((other) => other.pieces.some((piece) => runsThrough(piece, box))).length;
+}
+
+/** The best place for a dimension among others that stand. */
+function placed(paper: MeasurementPaper, each: AskedMeasurement, others: readonly Standing[]): Standing | undefined {
+  const { unit } = paper, taken = [...paper.kept, ...others.map(({ made }) => made.box)];
+  const possible = middles(paper, each.figure, boxAt({ x: 0, y: 0 }, each, unit).width);
+  const covers = (p: Place) => taken.reduce((sum, t) => sum + shared(t, boxAt(p, each, unit)), 0);
+  const free = possible.filter((p) => {
+    const box = boxAt(p, each, unit);
+    return isInside(box, paper) && !taken.some((t) => labelsOverlap(t, box));
+  });
+  if (free.length > 0) return leastOf(free.map((p) => standing(paper, each, p)), (s) => crossings(s, others, paper.kept));
+  const moved = possible.map((p) => movedInside(p, boxAt(p, each, unit), paper)), least = leastOf(moved, covers);
+  return least && standing(paper, each, least);
+}
+
+function standing(paper: MeasurementPaper, each: AskedMeasurement, middle: Place): Standing {
+  const { id, figure, text, caption } = each, box = boxAt(middle, each, paper.unit), own = dimensionLines(paper, figure, middle);
+  return { made: { id, text, caption, middle, box, ...own }, pieces: piecesOf(own.lines) };
+}
+
 /**
- * Puts dimensions on a drawing, in their order: where a text was put by hand it stands, the others each where they cover no other text;
- * one that finds no free place takes that where it covers least.
+ * Puts dimensions on a drawing, in their order: where a text was put by hand it stands, the others each where they cover no other text,
+ * and of such places the first in which the fewest lines run through texts; one that finds no free place takes that where it covers
+ * least. Then each through which a line of a later one runs looks for its place once more.
  */
 export function standingMeasurements(paper: MeasurementPaper, asked: readonly AskedMeasurement[]): readonly StandingMeasurement[] {
-  const { unit, camera } = paper, taken = [...paper.kept], out = new Map<string, StandingMeasurement>();
-  const stand = (each: AskedMeasurement, middle: Place) => {
-    const { id, figure, text, caption } = each, box = boxAt(middle, each, unit);
-    taken.push(box);
-    out.set(id, { id, text, caption, middle, box, ...dimensionLines(paper, figure, middle) });
-  };
-  for (const each of asked) if (each.put) stand(each, toScreen(camera, each.put));
-  for (const each of asked) {
-    if (each.put) continue;
-    const wide = boxAt({ x: 0, y: 0 }, each, unit).width, possible = middles(paper, each.figure, wide);
-    const covers = (p: Place) => taken.reduce((sum, t) => sum + shared(t, boxAt(p, each, unit)), 0);
-    const free = possible.find((p) => {
-      const box = boxAt(p, each, unit);
-      return isInside(box, paper) && !taken.some((t) => labelsOverlap(t, box));
-    });
-    const moved = possible.map((p) => movedInside(p, boxAt(p, each, unit), paper));
-    const least = free ?? moved.toSorted((a, b) => covers(a) - covers(b))[0];
-    if (least) stand(each, least);
+  const out = new Map<string, Standing>();
+  const othersOf = (id: string) => [...out.values()].filter(({ made }) => made.id !== id);
+  for (const each of asked) if (each.put) out.set(each.id, standing(paper, each, toScreen(paper.camera, each.put)));
+  const free = asked.filter(({ put }) => !put);
+  for (const each of free) {
+    const first = placed(paper, each, [...out.values()]);
+    if (first) out.set(each.id, first);
   }
-  return asked.flatMap(({ id }) => out.get(id) ?? []);
+  for (const each of free) {
+    const now = out.get(each.id), others = othersOf(each.id), crossed = now ? crossings(now, others, paper.kept) : 0;
+    const again = crossed > 0 ? placed(paper, each, others) : undefined;
+    if (again && crossings(again, others, paper.kept) < crossed) out.set(each.id, again);
+  }
+  return asked.flatMap(({ id }) => out.get(id)?.made ?? []);
 }
