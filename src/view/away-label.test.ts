@@ -5,7 +5,7 @@ import type { Camera } from "./camera.ts";
 
 const room = { left: 60, right: 415, top: 14, bottom: 280 }, size = { width: 86, height: 33 };
 const camera: Camera = { scale: 2.5, zero: { x: 301, y: 153 }, xUp: true };
-const none = { boxes: [], lines: [] };
+const none = { boxes: [], areas: [], lines: [] };
 
 test("beside the mark comes first; every place is in the room, and those above and below leave its height free", () => {
   const places = placesBeside({ x: 415, y: 97.5 }, size, room);
@@ -37,8 +37,38 @@ test("where nothing is free it rather covers lines than a mark, and stays where 
   const places = placesBeside({ x: 415, y: 97.5 }, size, room);
   const lines = [-100, -40, 0, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50].map((r) => [at(-90, r), at(60, r)]);
   const boxes = [{ x: 300, y: 60, width: 100, height: 60 }];
-  const first = leastCovering(places, { boxes, lines }, camera, 0);
+  const first = leastCovering(places, { ...none, boxes, lines }, camera, 0);
   expect(places[first]?.y === undefined || places[first].y >= 120 || places[first].y + 33 <= 60).toBe(true);
   const free = leastCovering(places, none, camera, 3);
   expect(free).toBe(3);
+});
+
+const mark = { x: 415, y: 97.5 };
+test("above and below the mark it stands over it as well, further from the work", () => {
+  const right = placesBeside(mark, size, room).map(({ x, width }) => x + width);
+  expect(new Set(right)).toEqual(new Set([403, 425]));
+  expect(placesBeside({ x: 60, y: 97.5 }, size, room).map(({ x }) => x)).toContain(50);
+});
+test("held back by the edge of the picture it does not stand on the mark", () => {
+  const low = { x: 415, y: 278 };
+  for (const { x, y, width, height } of placesBeside(low, size, room))
+    if (x + width > low.x - 9) expect(y + height <= low.y - 9 || y >= low.y + 9).toBe(true);
+});
+test("in the taken corner stands nothing", () => {
+  const taken = { x: 375, y: 0, width: 56, height: 104 };
+  const places = placesBeside(mark, size, room, taken);
+  expect(places[0]).toEqual({ x: 289, y: 81, ...size });
+  for (const { x, y } of places) expect(x + size.width <= taken.x || y >= taken.height).toBe(true);
+});
+test.each([["on free ground beside the work, over the mark rather than beside it", { x: 100, y: 20, width: 236, height: 250 }, 339], [
+  "all of it on the work: it stays beside the mark",
+  { x: 0, y: 0, width: 480, height: 300 },
+  317,
+], ["half of it on the work rather than all of it", { x: 100, y: 20, width: 275, height: 250 }, 339]])("%s", (_, work, x) => {
+  const places = placesBeside(mark, size, room);
+  expect(places[leastCovering(places, { ...none, areas: [work] }, camera, 0)]?.x).toBe(x);
+});
+test("a mark is kept free even where the work is covered for it", () => {
+  const places = placesBeside(mark, size, room), boxes = [{ x: 405, y: 0, width: 40, height: 300 }];
+  expect(places[leastCovering(places, { ...none, boxes, areas: [{ x: 0, y: 0, width: 480, height: 300 }] }, camera, 1)]?.x).toBe(317);
 });

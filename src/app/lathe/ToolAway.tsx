@@ -1,12 +1,13 @@
 import { useEffect, useMemo, useRef } from "react";
 import type { StoreApi } from "zustand";
-import { part, type Pt } from "../../kernel/point.ts";
+import { part, type Pt, type Ring } from "../../kernel/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import type { Run } from "../../program/run-types.ts";
 import { leastCovering, placesBeside } from "../../view/away-label.ts";
-import { toScreen, type Place } from "../../view/camera.ts";
+import { boundsOf } from "../../view/bounds.ts";
+import { toScreen, type Camera, type Place } from "../../view/camera.ts";
 import { edgeMark, type Seen } from "../../view/edge-mark.ts";
-import { labelsOverlap, textWidth, type LabelBox } from "../../view/help/labels.ts";
+import { textWidth, type LabelBox } from "../../view/help/labels.ts";
 import { tipAt } from "../../view/tip.ts";
 import { useLengths } from "../lengths.ts";
 import { holds } from "../use-media.ts";
@@ -25,6 +26,14 @@ const [INSET, TEXT, LINE, GROUND] = [14, 12, 15, 3];
 const MARK = 12;
 
 const boxRound = ({ x, y }: Place, half: number): LabelBox => ({ x: x - half, y: y - half, width: 2 * half, height: 2 * half });
+
+/** Where a blank stands in the picture, on both sides of the axis. */
+function workBox(ring: Ring, { zero, scale }: Camera): LabelBox | null {
+  const box = boundsOf(ring);
+  if (!box) return null;
+  const { left, right, high } = box;
+  return { x: zero.x + left * scale, y: zero.y - high * scale, width: (right - left) * scale, height: 2 * high * scale };
+}
 
 /**
  * An arrow at the edge of the picture to a tool that stands outside it, with the place where it is: two short lines on a free ground.
@@ -47,7 +56,8 @@ export function ToolAway({ viewport, playback, run, places, datum, kept }: { rea
     const ground = element?.querySelector("rect"), [first, second] = element?.querySelectorAll("tspan") ?? [];
     if (!element || !arrow || !text || !ground || !first || !second) return undefined;
     const { steps, operations } = run;
-    let room: Seen = { left: 0, right: 0, top: 0, bottom: 0 }, corner: LabelBox | null = null, boxes: readonly LabelBox[] = [];
+    let room: Seen = { left: 0, right: 0, top: 0, bottom: 0 }, corner: LabelBox | null = null;
+    let boxes: readonly LabelBox[] = [], areas: readonly LabelBox[] = [];
     let isShown = false, row = 0;
     /** The mark of a place, beside what lies over the corner of the picture. */
     const markOf = (at: Place) => {
@@ -62,10 +72,8 @@ export function ToolAway({ viewport, playback, run, places, datum, kept }: { rea
       if (!mark || !tip) return;
       const { at: { x, y }, turn } = mark, { x: diameter, z } = placeText(lengths, tip), step = steps[position.step];
       const told = [`X⌀ ${diameter}`, `Z ${z}`] as const, wide = Math.max(...told.map((each) => textWidth(each, TEXT))) + 2 * GROUND;
-      const choices = placesBeside(mark.at, { width: wide, height: 2 * LINE + GROUND }, room).filter((each) =>
-        !corner || !labelsOverlap(each, corner)
-      );
-      row = leastCovering(choices, { boxes, lines: step ? [...lines, [step.from, step.move.to]] : lines }, camera, row);
+      const choices = placesBeside(mark.at, { width: wide, height: 2 * LINE + GROUND }, room, corner);
+      row = leastCovering(choices, { boxes, areas, lines: step ? [...lines, [step.from, step.move.to]] : lines }, camera, row);
       const box = choices[row];
       if (!box) return;
       const toLeft = box.x < x;
@@ -91,7 +99,11 @@ export function ToolAway({ viewport, playback, run, places, datum, kept }: { rea
       boxes = [
         ...badgesOf(places, seenFlat(viewport)).map(({ left, top }) => boxRound({ x: left, y: top }, MARK)),
         ...kept.getState(),
-        ...[datum, ...operations.map(({ start }) => start)].map((each) => boxRound(toScreen(camera, each), MARK)),
+        boxRound(toScreen(camera, datum), MARK),
+      ];
+      areas = [
+        ...run.blank.flatMap((ring) => workBox(ring, camera) ?? []),
+        ...operations.map(({ start }) => boxRound(toScreen(camera, start), MARK)),
       ];
       paint();
     };
