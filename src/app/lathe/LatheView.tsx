@@ -12,7 +12,7 @@ import { Late } from "../Late.tsx";
 import { CountedIn, useLengths } from "../lengths.ts";
 import { LoadPart } from "../load/LoadParts.tsx";
 import { createPointed } from "../load/pointed.ts";
-import { Measurements } from "../measure/Measurements.tsx";
+import { MeasuredInSection, Measurements } from "../measure/Measurements.tsx";
 import { useMeasuring } from "../measure/measuring.ts";
 import { useLatheSource } from "../measure/source.ts";
 import { lazyPart } from "../parts.ts";
@@ -197,7 +197,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
           ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
           : null}
         >
-          <Legend shapes={scene.shapes} holder={held} />
+          <Legend shapes={scene.shapes} holder={held} chuck={scene.chuck !== null} />
         </ViewBar>
         <div ref={stage}
           className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}${ended ? " ended" : ""}${
@@ -238,6 +238,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
                 choose={choose} onDrawn={solid.setDrawn} />
             </Suspense>
           )}
+          {alone && <MeasuredInSection />}
           {run.steps.length === 0 && run.blank.length === 0 && (
             <p className={waiting ? "lathe-outdated small" : "lathe-empty soft"}>{t.pictureEmpty}</p>
           )}

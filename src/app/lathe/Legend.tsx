@@ -4,7 +4,10 @@ import { useTexts } from "../settings/use-texts.ts";
 
 /** What lines and the holder stand for: only those that are there. */
 export const Legend = memo(
-  function Legend({ shapes, holder }: { readonly shapes: readonly Shape[]; /** A tool that moves has one. */ readonly holder: boolean }) {
+  function Legend({ shapes, holder, chuck }: { readonly shapes: readonly Shape[]; /** A tool that moves has one. */ readonly holder: boolean;
+    /** One is drawn; nothing is known of that of the machine. */
+    readonly chuck: boolean })
+  {
     const t = useTexts().lathe, there = PATH_ROLES.filter((role) => shapes.some((shape) => shape.role === role));
     if (there.length === 0 && !holder) return null;
     return (
@@ -23,6 +26,14 @@ export const Legend = memo(
               <path className="shape-holder" d="M6 1H20V9H6Z" />
             </svg>
             {t.holder}
+          </li>
+        )}
+        {chuck && (
+          <li>
+            <svg width="26" height="10" aria-hidden="true">
+              <path className="chuck-swatch" d="M6 1H20V9H6Z" />
+            </svg>
+            {t.chuck}
           </li>
         )}
       </ul>

@@ -39,6 +39,7 @@ export const lathe = {
   rulerFlat: "Gemessen wird im Schnitt: danach kommt 3D wieder",
   legend: "Linien",
   holder: "Halter",
+  chuck: "Futter: Beispiel, nicht geprüft",
   paths: {
     title: "Welche Bahnen zu sehen sind",
     all: "Alle Bahnen",

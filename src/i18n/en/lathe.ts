@@ -40,6 +40,7 @@ export const lathe = {
   rulerFlat: "Measures in the section: 3D comes back after it",
   legend: "Lines",
   holder: "Holder",
+  chuck: "Chuck: an example, not checked",
   paths: {
     title: "Which paths are shown",
     all: "All paths",

@@ -39,6 +39,7 @@ export const lathe = {
   rulerFlat: "La mesure se fait dans la coupe : la 3D revient ensuite",
   legend: "Traits",
   holder: "Porte-outil",
+  chuck: "Mandrin : exemple, non contrôlé",
   paths: {
     title: "Trajectoires affichées",
     all: "Toutes",

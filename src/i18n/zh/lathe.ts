@@ -38,6 +38,7 @@ export const lathe = {
   rulerFlat: "在剖面上测量，之后回到 3D",
   legend: "线型",
   holder: "刀杆",
+  chuck: "卡盘：示例，未检查",
   paths: {
     title: "显示哪些路径",
     all: "全部路径",
