@@ -13,6 +13,7 @@ import { pageColours, useTheme } from "../lathe/use-theme-colours.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { LoadPart } from "../load/LoadParts.tsx";
 import { useLoadDrawing } from "../load/use-drawing.ts";
+import { useLoadOf } from "../load/use-load.ts";
 import { reducedMotion } from "../settings/appearance.ts";
 import { laterTexts } from "../settings/later-texts.ts";
 import { changeSettings, useSettings } from "../settings/settings.ts";
@@ -113,6 +114,7 @@ function useTold(
   shown: (step: number) => boolean,
 ): { readonly lines: readonly StageLines[]; readonly tones: readonly TonedSide[] } {
   const colours = useSettings((s) => s.colours), told = useLoadDrawing(run, colours === "none" ? null : colours, shown);
+  const surface = useLoadOf(run)?.surface;
   const path = useMemo(() => pathInSpace(run.steps, shown).map(({ role, ...lines }): StageLines => ({ ...lines, look: { role } })), [
     run,
     shown,
@@ -121,7 +123,11 @@ function useTold(
     () => [...path, ...told?.lines.map(({ tone, segments }): StageLines => ({ ...segmentsInSpace(segments), look: { tone } })) ?? []],
     [path, told],
   );
-  const tones = useMemo(() => (told && colours === "roughness" ? tonedSides(told.lines) : NO_TONES), [told, colours]);
+  const tones = useMemo(() => (told && surface && colours === "roughness" ? tonedSides(surface, told.scale) : NO_TONES), [
+    told,
+    surface,
+    colours,
+  ]);
   return { lines, tones };
 }
 
