@@ -20,3 +20,16 @@ export function Measurements(props: { readonly viewport: Viewport; readonly meas
     </Suspense>
   );
 }
+
+/** Fetched when a body is looked at of which something was measured. */
+const MeasuredElsewhere = lazyPart(async () => ({ default: (await import("./MeasuredElsewhere.tsx")).MeasuredElsewhere }));
+
+/** What was measured in the section stays; over the body in space it is said where it is to be seen. */
+export function MeasuredInSection() {
+  const count = useEditor((s) => measuredIn(s).filter(({ plane }) => plane === "ZX").length);
+  return count > 0 && (
+    <Suspense>
+      <MeasuredElsewhere count={count} />
+    </Suspense>
+  );
+}

@@ -47,6 +47,7 @@ export const measure: MeasureTexts = {
   owners: { contour: "Kontur", blank: "Rohteil", stock: "Material" },
   measured: "Gemessen",
   count: (n) => `Gemessen: ${n}`,
+  inSection: (n) => `Gemessen: ${n}. Zu sehen im Schnitt, nicht in 3D.`,
   remove: (what) => `${what} entfernen`,
   clear: "Alle löschen",
   cleared: "Alle Messungen sind gelöscht.",

@@ -47,6 +47,7 @@ export const measure = {
   owners: { contour: "contour", blank: "blank", stock: "stock" },
   measured: "Measured",
   count: (n: string) => `Measured: ${n}`,
+  inSection: (n: string) => `Measured: ${n}. It is shown in the section, not in 3D.`,
   remove: (what: string) => `Remove ${what}`,
   clear: "Clear all",
   cleared: "All measurements are cleared.",

@@ -47,6 +47,7 @@ export const measure: MeasureTexts = {
   owners: { contour: "contour", blank: "brut", stock: "matière" },
   measured: "Mesures",
   count: (n) => `Mesures: ${n}`,
+  inSection: (n) => `Mesures: ${n}. Visibles dans la coupe, pas en 3D.`,
   remove: (what) => `Supprimer ${what}`,
   clear: "Tout effacer",
   cleared: "Toutes les mesures sont effacées.",

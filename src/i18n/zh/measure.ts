@@ -47,6 +47,7 @@ export const measure: MeasureTexts = {
   owners: { contour: "轮廓", blank: "毛坯", stock: "材料" },
   measured: "测量结果",
   count: (n) => `测量结果：${n}`,
+  inSection: (n) => `测量结果：${n}。显示在剖视图中，3D 中不显示。`,
   remove: (what) => `删除 ${what}`,
   clear: "全部清除",
   cleared: "所有测量已清除。",
