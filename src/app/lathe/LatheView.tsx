@@ -239,7 +239,6 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
             </Suspense>
           )}
           {alone && <MeasuredInSection />}
-          {alone && <MeasuredInSection />}
           {run.steps.length === 0 && run.blank.length === 0 && (
             <p className={waiting ? "lathe-outdated small" : "lathe-empty soft"}>{t.pictureEmpty}</p>
           )}
