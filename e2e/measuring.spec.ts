@@ -95,5 +95,5 @@ test("an angle in the plane by keys alone", async ({ page }) => {
   await lathe.button("ruler").press("Enter");
   await expect(lathe.view.getByRole("toolbar", { name: measure.tools })).toBeVisible();
   for (const key of ["a", "n", "Enter", "Enter"]) await page.keyboard.press(key);
-  await expect(lathe.view.getByRole("button", { name: `${kinds.angle} 90°, contour`, exact: true })).toBeVisible();
+  await expect(lathe.view.getByRole("button", { name: `${kinds.angle} 90.000°, contour`, exact: true })).toBeVisible();
 });
