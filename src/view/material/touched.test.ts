@@ -95,6 +95,24 @@ test("a patch covers what looks different on both sides, on whole pixels of the 
   }
 });
 
+test.each([[1, 1], [2, 1], [3, 1], [1.5, 2], [1.25, 4], [1.1, 10], [4 / 3, 3]])(
+  "where %s pixels of a device are one of the page, a patch lies on whole ones of both",
+  (ratio, whole) => {
+    const camera = { scale: 3.713, zero: { x: 211.37, y: 97.81 }, xUp: true };
+    const { x, y, width, height } = turnedPatchOf({ left: -21.37, right: -4.81, low: 17.03, high: 22.9 }, camera, {
+      outer: 30,
+      along: 0,
+    }, ratio);
+    for (const edge of [x, y, width, height]) expect(edge / whole).toBeCloseTo(Math.round(edge / whole), 9);
+    expect(camera.zero.x - 21.37 * camera.scale - x).toBeLessThanOrEqual(3 + whole);
+  },
+);
+test("on a device without such pixels it lies on its own", () => {
+  const camera = { scale: 3.7, zero: { x: 211.3, y: 97 }, xUp: true };
+  const { x } = turnedPatchOf({ left: -21.37, right: 0, low: 0, high: 22.9 }, camera, { outer: 30, along: 0 }, Math.SQRT2);
+  expect(x * Math.SQRT2).toBeCloseTo(Math.round(x * Math.SQRT2), 9);
+});
+
 test("a blank that is stated parts what lies before it from what lies behind", () => {
   const marks = sameBlank({ checkpoints: [{ step: 0, stock: null }, { step: 9, stock: null, isStated: true }] });
   expect(marks({ step: 3, fraction: 0.2 }, { step: 8, fraction: 0.9 })).toBe(true);

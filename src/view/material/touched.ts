@@ -68,10 +68,25 @@ export function touchedBetween(steps: readonly Step[], one: PlayPosition, other:
 /** Pixels round a box that its edge lines need. */
 const EDGE = 3;
 
-/** The part of the picture that shows a box, with room for edge lines; on whole pixels of a device that has `ratio` to one of the page. */
-export function patchOf({ left, right, low, high }: Bounds, camera: Camera, ratio: number): Patch {
+/** More pixels of the page than this do not become whole ones of a device together. */
+const MOST_WHOLE = 20;
+
+/**
+ * The fewest pixels of the page that are whole ones of a device with `ratio` to one: a canvas that begins between two pixels of either is
+ * drawn beside its place, and leaves a seam to the one under it.
+ */
+function wholePixels(ratio: number): number {
+  for (let n = 1; n <= MOST_WHOLE; n += 1) if (Math.abs(n * ratio - Math.round(n * ratio)) < 1e-3) return n;
+  return 1 / ratio;
+}
+
+/**
+ * The part of the picture that shows a box, with room for edge lines; on whole pixels of a device that has `ratio` to one of the page, or on
+ * every so many of the page.
+ */
+export function patchOf({ left, right, low, high }: Bounds, camera: Camera, ratio: number, whole = 1 / ratio): Patch {
   const [a, b] = [toScreen(camera, at(left, low)), toScreen(camera, at(right, high))];
-  const before = (v: number) => Math.floor((v - EDGE) * ratio) / ratio, after = (v: number) => Math.ceil((v + EDGE) * ratio) / ratio;
+  const before = (v: number) => Math.floor((v - EDGE) / whole) * whole, after = (v: number) => Math.ceil((v + EDGE) / whole) * whole;
   const x = before(Math.min(a.x, b.x)), y = before(Math.min(a.y, b.y));
   return { x, y, width: after(Math.max(a.x, b.x)) - x, height: after(Math.max(a.y, b.y)) - y };
 }
@@ -87,13 +102,14 @@ export function turnedPatchOf(
   ratio: number,
 ): Patch {
   const far = Math.min(high, outer);
-  return patchOf({ left: left - along, right: right + along, low: -far, high: far }, camera, ratio);
+  return patchOf({ left: left - along, right: right + along, low: -far, high: far }, camera, ratio, wholePixels(ratio));
 }
 
 /** The patch that shows a chuck. */
 export function chuckPatch({ body, jaw, base, screw, flank, backs, seen }: ChuckDrawing, camera: Camera, ratio: number): Patch {
   const places = [...jaw, ...base, ...screw, ...flank, ...backs.flat()], far = Math.max(body.radius, ...places.map(([, r]) => Math.abs(r)));
-  return patchOf({ left: body.back, right: Math.max(seen.right, ...places.map(([z]) => z)), low: -far, high: far }, camera, ratio);
+  return patchOf({ left: body.back, right: Math.max(seen.right, ...places.map(([z]) => z)), low: -far, high: far }, camera, ratio,
+    wholePixels(ratio));
 }
 
 /** What of a patch lies in another one; null when nothing does. */
