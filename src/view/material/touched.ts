@@ -68,25 +68,26 @@ export function touchedBetween(steps: readonly Step[], one: PlayPosition, other:
 /** Pixels round a box that its edge lines need. */
 const EDGE = 3;
 
-/** More pixels of the page than this do not become whole ones of a device together. */
-const MOST_WHOLE = 20;
+/** More pixels of the page than this do not become whole ones of a device together; by this they may miss it. */
+const MOST_WHOLE = 20, MISSES = 1 / 1000;
 
 /**
  * The fewest pixels of the page that are whole ones of a device with `ratio` to one: a canvas that begins between two pixels of either is
  * drawn beside its place, and leaves a seam to the one under it.
  */
 function wholePixels(ratio: number): number {
-  for (let n = 1; n <= MOST_WHOLE; n += 1) if (Math.abs(n * ratio - Math.round(n * ratio)) < 1e-3) return n;
+  for (let n = 1; n <= MOST_WHOLE; n += 1) if (Math.abs(n * ratio - Math.round(n * ratio)) < MISSES) return n;
   return 1 / ratio;
 }
 
 /**
- * The part of the picture that shows a box, with room for edge lines; on whole pixels of a device that has `ratio` to one of the page, or on
- * every so many of the page.
+ * The part of the picture that shows a box, with room for edge lines; on whole pixels of a device that has `ratio` to one of the page, or
+ * on every so many of the page.
  */
 export function patchOf({ left, right, low, high }: Bounds, camera: Camera, ratio: number, whole = 1 / ratio): Patch {
   const [a, b] = [toScreen(camera, at(left, low)), toScreen(camera, at(right, high))];
-  const before = (v: number) => Math.floor((v - EDGE) / whole) * whole, after = (v: number) => Math.ceil((v + EDGE) / whole) * whole;
+  const before = (v: number) => Math.floor((v - EDGE) / whole) * whole;
+  const after = (v: number) => Math.ceil((v + EDGE) / whole) * whole;
   const x = before(Math.min(a.x, b.x)), y = before(Math.min(a.y, b.y));
   return { x, y, width: after(Math.max(a.x, b.x)) - x, height: after(Math.max(a.y, b.y)) - y };
 }
