@@ -3,40 +3,40 @@ import { PATH_ROLES, type Shape } from "../../view/scene.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
 /** What lines and the holder stand for: only those that are there. */
-export const Legend = memo(
-  function Legend({ shapes, holder, chuck }: { readonly shapes: readonly Shape[]; /** A tool that moves has one. */ readonly holder: boolean;
-    /** One is drawn; nothing is known of that of the machine. */
-    readonly chuck: boolean })
-  {
-    const t = useTexts().lathe, there = PATH_ROLES.filter((role) => shapes.some((shape) => shape.role === role));
-    if (there.length === 0 && !holder) return null;
-    return (
-      <ul className="lathe-legend small" aria-label={t.legend}>
-        {there.map((role) => (
-          <li key={role}>
-            <svg width="26" height="8" aria-hidden="true">
-              <path className={`shape-${role}`} d="M1 4H25" />
-            </svg>
-            {t.lines[role]}
-          </li>
-        ))}
-        {holder && (
-          <li>
-            <svg width="26" height="10" aria-hidden="true">
-              <path className="shape-holder" d="M6 1H20V9H6Z" />
-            </svg>
-            {t.holder}
-          </li>
-        )}
-        {chuck && (
-          <li>
-            <svg width="26" height="10" aria-hidden="true">
-              <path className="chuck-swatch" d="M6 1H20V9H6Z" />
-            </svg>
-            {t.chuck}
-          </li>
-        )}
-      </ul>
-    );
-  },
-);
+export const Legend = memo(function Legend({ shapes, holder, chuck }: {
+  readonly shapes: readonly Shape[]; /** A tool that moves has one. */
+  readonly holder: boolean;
+  /** One is drawn; nothing is known of that of the machine. */
+  readonly chuck: boolean;
+}) {
+  const t = useTexts().lathe, there = PATH_ROLES.filter((role) => shapes.some((shape) => shape.role === role));
+  if (there.length === 0 && !holder) return null;
+  return (
+    <ul className="lathe-legend small" aria-label={t.legend}>
+      {there.map((role) => (
+        <li key={role}>
+          <svg width="26" height="8" aria-hidden="true">
+            <path className={`shape-${role}`} d="M1 4H25" />
+          </svg>
+          {t.lines[role]}
+        </li>
+      ))}
+      {holder && (
+        <li>
+          <svg width="26" height="10" aria-hidden="true">
+            <path className="shape-holder" d="M6 1H20V9H6Z" />
+          </svg>
+          {t.holder}
+        </li>
+      )}
+      {chuck && (
+        <li>
+          <svg width="26" height="10" aria-hidden="true">
+            <path className="chuck-swatch" d="M6 1H20V9H6Z" />
+          </svg>
+          {t.chuck}
+        </li>
+      )}
+    </ul>
+  );
+});
