@@ -76,11 +76,16 @@ export function toolpath(steps: readonly Step[]): readonly Shape[] {
 /** Inserts are drawn with chords this fine when only their size counts, mm. */
 const COARSE = 0.2;
 
-/** The box round an insert whose tip goes through a box. */
-function insertBox(way: Bounds, tool: Tool): Bounds {
-  const insert = boundsOf(insertOutline(tool, COARSE));
+/** The box round an insert whose tip goes through a box; no more of it than `most` mm from the tip to each side. */
+function insertBox(way: Bounds, tool: Tool, most = Infinity): Bounds {
+  const insert = boundsOf(insertOutline(tool, COARSE)), within = (by: number) => Math.max(-most, Math.min(most, by));
   return insert
-    ? { left: way.left + insert.left, right: way.right + insert.right, low: way.low + insert.low, high: way.high + insert.high }
+    ? {
+      left: way.left + within(insert.left),
+      right: way.right + within(insert.right),
+      low: way.low + within(insert.low),
+      high: way.high + within(insert.high),
+    }
     : way;
 }
 
@@ -110,9 +115,11 @@ export function tipWays(steps: readonly Step[]): readonly TipWays[] {
 }
 
 /** The box round every place of every insert. */
-export const workingBox = (ways: readonly TipWays[]): Bounds | null =>
-  ways.reduce<Bounds | null>((all, way) => (way.left <= way.right && way.low <= way.high ? joined(all, insertBox(way, way.tool)) : all),
-    null);
+export const workingBox = (ways: readonly TipWays[], most = Infinity): Bounds | null =>
+  ways.reduce<Bounds | null>(
+    (all, way) => (way.left <= way.right && way.low <= way.high ? joined(all, insertBox(way, way.tool, most)) : all),
+    null,
+  );
 
 /** A picture of nothing still has a place: 100 mm of axis. */
 const EMPTY: Bounds = { left: -80, right: 20, low: 0, high: 40 };
@@ -140,8 +147,10 @@ export function sceneOf({ blank, contours, steps, path: drawn, ways, sketch = []
   if (blank.length > 0) shapes.push({ role: "blank", d: ringData(blank) });
   if (sketch.length > 0) shapes.push({ role: "sketch", d: segmentData(sketch) });
   shapes.push(...contourShapes(contours), ...(drawn ?? toolpath(steps)));
-  const tip = boundsOf(waits ? [waits.at] : []), standing = tip && waits?.tool ? insertBox(tip, waits.tool) : tip;
-  const seen = joined(joined(material, joined(joined(workingBox(framed(all)), standing), outline)), chuck?.seen ?? null) ?? EMPTY;
+  // Beside a tiny part an insert would be most of the picture.
+  const most = material ? material.high : Infinity;
+  const tip = boundsOf(waits ? [waits.at] : []), standing = tip && waits?.tool ? insertBox(tip, waits.tool, most) : tip;
+  const seen = joined(joined(material, joined(joined(workingBox(framed(all), most), standing), outline)), chuck?.seen ?? null) ?? EMPTY;
   // Below the axis there is the other half of the work.
   const axis = { ...seen, low: Math.min(low, -(material?.high ?? 0)) };
   return { shapes, chuck, bounds: grownBounds(axis, AIR * Math.max(axis.right - axis.left, axis.high - axis.low)) };
