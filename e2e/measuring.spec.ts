@@ -90,8 +90,10 @@ test("by touch: a tap on a surface, a finger beside the point, a text that is mo
 });
 
 test("an angle in the plane by keys alone", async ({ page }) => {
-  const { editor, lathe } = await Turnwise.open(page);
+  const { editor, lathe, t } = await Turnwise.open(page);
   await editor.openExample("plate");
+  // Until it is known what is milled the view of the lathe stands there, with a ruler of its own.
+  await page.getByRole("region", { name: t.approach.view }).waitFor();
   await lathe.button("ruler").press("Enter");
   await expect(lathe.view.getByRole("toolbar", { name: measure.tools })).toBeVisible();
   for (const key of ["a", "n", "Enter", "Enter"]) await page.keyboard.press(key);
