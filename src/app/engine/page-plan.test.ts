@@ -45,7 +45,7 @@ test("a short text is planned at once, a long one not before it is known to be q
   forgetPace();
   expect(plans("L".repeat(20_001))).toBe(false);
   expect(planNow(requestOf("L X+3.5", 20_000))).toBeNull();
-  notePace(requestOf("L".repeat(20_001)), 39.6);
+  notePace(requestOf("L".repeat(20_001)), 59.6);
   expect(plans("L".repeat(20_001))).toBe(true);
 });
 
@@ -61,7 +61,7 @@ test("a digit is drawn before its path where planning has taken long twice, also
 });
 
 test("what takes longer is left to the worker, until it takes less there", () => {
-  run.takes = 43.7;
+  run.takes = 63.7;
   expect([plans(), plans()]).toEqual([true, false]);
   notePace(requestOf("L X+3.5"), undefined);
   expect(plans()).toBe(false);

@@ -10,7 +10,7 @@ import type { Request } from "./request.ts";
  */
 
 /** What reading and running may take on the page, ms: most take a tenth of that; the way through the worker takes several times as long. */
-const MAY_TAKE = 40;
+const MAY_TAKE = 60;
 /** Texts up to this length are tried when nothing is known of the work yet, characters. */
 const SHORT = 20_000;
 
