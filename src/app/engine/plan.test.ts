@@ -143,6 +143,17 @@ test.each([1, 4, 7])("what comes before a change of operation %i is not run agai
   expect(after.map((operation, i) => operation === before[i])).toEqual(before.map((_, i) => i < which));
 });
 
+test("what was said of a contour at the end stands at its new line when a block before it loses one", () => {
+  const plan = planner();
+  const text = program("flange.h").replace(/^72 LBL 1(\r?\n)/m, "72 LBL 1$1CHF 1.3$1");
+  const before = plan(requestOf(text));
+  const shorter = text.replace(/\S*Q509=(?![\s\S]*Q509=).*\r?\n/, "");
+  const after = plan(requestOf(shorter));
+  expect(after).toEqual(planned(requestOf(shorter)));
+  const lineOf = ({ run }: typeof before) => run.issues.find(({ issue }) => issue.code === "cornerElementAlone")?.line ?? 0;
+  expect(lineOf(after)).toBe(lineOf(before) - 1);
+});
+
 test("what was not run again for a long time is still known", () => {
   const plan = planner();
   const text = program("flange.h");
