@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import type { Page } from "@playwright/test";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -66,4 +67,28 @@ test("a changed value moves the path at once, and what is not proved yet says th
   await expect(effect.strip).toHaveAttribute("aria-busy", "false");
   await expect(mark).toHaveCount(0);
   await effect.proved();
+});
+
+test.describe("at 1024x768", () => {
+  test.use({ viewport: { width: 1024, height: 768 } });
+
+  test("the picture keeps its size while the strip says more and less with each value", async ({ page }) => {
+    const { editor, dialog, lathe, t } = await Turnwise.open(page);
+    await editor.openFile("FLANGE.h", readFileSync("src/examples/flange.h"));
+    await editor.show("structure");
+    await editor.operation(2).click();
+    await editor.show("block");
+    await dialog.open("Q484");
+    const strip = page.getByRole("region", { name: t.editor.total, exact: true });
+    /** Height of the words of the proof, and of the picture. */
+    const sizes = async (value: string) => {
+      await dialog.value.fill(value);
+      await expect(strip).toHaveAttribute("aria-busy", "false");
+      const words = await strip.locator(".proof dd > *").first().boundingBox();
+      return { words: words?.height ?? 0, picture: (await lathe.picture.boundingBox())?.height };
+    };
+    const less = await sizes("0.15"), more = await sizes("0.1");
+    expect(more.words, "the proof takes another line").toBeGreaterThan(less.words + 10);
+    expect(more.picture).toBe(less.picture);
+  });
 });

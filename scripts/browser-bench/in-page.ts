@@ -119,10 +119,12 @@ export function watchDrawing(): void {
       else if (element?.closest(".shape-stock, .lathe-residual")) changed(false);
     }
   }).observe(document, { subtree: true, childList: true, attributes: true, attributeFilter: ["d"] });
-  for (const name of ["fill", "stroke", "drawImage"] as const) {
-    const own = CanvasRenderingContext2D.prototype[name] as (...given: unknown[]) => void;
-    Object.defineProperty(CanvasRenderingContext2D.prototype, name, {
-      value(this: CanvasRenderingContext2D, ...given: unknown[]) {
+  const pens = [[CanvasRenderingContext2D.prototype, "fill"], [CanvasRenderingContext2D.prototype, "stroke"],
+    [CanvasRenderingContext2D.prototype, "drawImage"], [ImageBitmapRenderingContext.prototype, "transferFromImageBitmap"]] as const;
+  for (const [pen, name] of pens) {
+    const own = Reflect.get(pen, name) as (...given: unknown[]) => void;
+    Object.defineProperty(pen, name, {
+      value(this: unknown, ...given: unknown[]) {
         changed(false);
         own.apply(this, given);
       },

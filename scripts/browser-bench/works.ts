@@ -70,7 +70,7 @@ export const WORKS: readonly MeasuredWork[] = [{
   name: "contour",
   from: [0.1, 0.25, 0.4, 0.55, 0.7],
   async open({ page, handing }) {
-    const link = linkOf(page.url(), CONTOUR);
+    const link = linkOf(page.url().replace(/#.*/, ""), CONTOUR);
     // As if it came from elsewhere: behind the mark alone nothing is loaded.
     await page.goto("about:blank");
     await page.goto(link);

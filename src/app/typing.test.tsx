@@ -1,24 +1,28 @@
 import { act, cleanup, fireEvent, render, screen } from "@testing-library/react";
 import { useState } from "react";
 import { afterEach, beforeEach, expect, test } from "vitest";
-import { heldWhileTyping, useTyping, whileTyping } from "./typing.ts";
+import { behindTyping, byAndBy, heldWhileTyping, useTyping, whileTyping } from "./typing.ts";
 
 interface Held {
   readonly text: string;
   readonly other: number;
 }
 
+const useResult = heldWhileTyping<{ readonly of: string }>(() => ({ of: "12.5" }), "result");
 const useHeld = heldWhileTyping<Held>(() => ({ text: "12.5", other: 3 }));
 const Later = () => <output aria-label="later">{useHeld((s) => s.text)}</output>;
 const AtOnce = () => <output aria-label="at once">{useHeld.atOnce((s) => s.text)}</output>;
+const Result = () => <output aria-label="result">{useResult((s) => s.of)}</output>;
 const shown = (name: string) => screen.getByLabelText(name).textContent;
 
 const type = (text: string) => act(() => whileTyping(() => useHeld.setState({ text })));
 
 beforeEach(() => {
   useHeld.setState({ text: "12.5", other: 3 });
+  useResult.setState({ of: "12.5" });
   render(<>
     <Later />
+    <Result />
     <AtOnce />
     <input aria-label="field" />
     <button type="button">elsewhere</button>
@@ -60,6 +64,36 @@ test.each<[string, () => unknown]>([
   acts();
   for (const event of ["keydown", "pointerdown", "focusout"]) document.body.removeEventListener(event, look);
   expect(found).toBe("12.57");
+});
+
+test("work, text and result are told one after the other", async () => {
+  const said: string[] = [];
+  const note = (name: string) => said.push(`${name}: ${[shown("later"), shown("result")].join(" ")}`);
+  act(() =>
+    whileTyping(() => {
+      useResult.setState({ of: "12.57" });
+      behindTyping(() => note("text"));
+      useHeld.setState({ text: "12.57" });
+    })
+  );
+  note("drawn");
+  await expect.poll(() => shown("result")).toBe("12.57");
+  expect(said).toEqual(["drawn: 12.5 12.5", "text: 12.57 12.5"]);
+});
+
+test("a result that comes meanwhile waits its turn, and whoever acts finds it told", () => {
+  type("12.57");
+  act(() => useResult.setState({ of: "12.57" }));
+  expect([shown("later"), shown("result")]).toEqual(["12.5", "12.5"]);
+  fireEvent.keyDown(screen.getByLabelText("field"), { key: "Enter" });
+  expect([shown("later"), shown("result")]).toEqual(["12.57", "12.57"]);
+});
+
+test("whoever acts while a result is rendered by and by finds it rendered", () => {
+  byAndBy(() => useResult.setState({ of: "12.571" }));
+  expect(shown("result")).toBe("12.5");
+  fireEvent.pointerDown(screen.getByRole("button"));
+  expect(shown("result")).toBe("12.571");
 });
 
 test("a key that goes on with the number waits for nothing", () => {

@@ -1,26 +1,57 @@
-import { useState } from "react";
+import { startTransition, useState } from "react";
 import { flushSync } from "react-dom";
 import { createStore, useStore, type StateCreator, type StoreApi, type UseBoundStore } from "zustand";
 import { afterPicture } from "./after-picture.ts";
+import { catchUp, useFollowed } from "./followed.ts";
 
 /*
  * While somebody types, the field and the path are drawn first. Everything else that follows the work is told of the change when
- * that picture is painted, or before anything else happens on the page: nothing is ever pressed that knows less than what was typed.
+ * that picture is painted, turn by turn, or at once before anything else happens on the page: nothing is ever pressed that knows
+ * less than what was typed.
  */
 
 let isTyping = false;
-/** What is told of a change that was typed. */
-const held = new Set<() => void>();
+/** Who is told of what was typed, each turn in a task of its own: all of them together are a long one on a slow device. */
+const TURNS = ["work", "text", "result"] as const;
+type Turn = (typeof TURNS)[number];
+const held = new Map<() => void, Turn>();
 let callOff = (): void => undefined;
 /** How often what was typed has been told. */
 const told = createStore<{ readonly count: number; readonly isAll: boolean }>(() => ({ count: 0, isAll: true }));
 
-function release(): void {
+function tellThose(turns: readonly Turn[]): void {
   callOff();
-  const due = [...held];
-  held.clear();
+  const due = [...held.keys()].filter((tell) => turns.includes(held.get(tell) ?? "work"));
+  for (const tell of due) held.delete(tell);
   for (const tell of due) tell();
-  if (!told.getState().isAll) told.setState(({ count }) => ({ count: count + 1, isAll: true }));
+  if (held.size === 0 && !told.getState().isAll) told.setState(({ count }) => ({ count: count + 1, isAll: true }));
+}
+
+const release = (): void => tellThose(TURNS);
+
+function releaseByTurns(): void {
+  const next = TURNS.find((turn) => [...held.values()].includes(turn));
+  if (!next) return;
+  if (next === "result") byAndBy(() => tellThose([next]));
+  else tellThose([next]);
+  const timer = setTimeout(releaseByTurns);
+  callOff = () => clearTimeout(timer);
+}
+
+/** True while what was told last may not be rendered yet. */
+let isBehind = false;
+
+/** Changes a result that comes by itself: what follows it is rendered by and by, or before somebody does something with it. */
+export function byAndBy(change: () => void): void {
+  tellBeforeActing();
+  isBehind = true;
+  startTransition(change);
+}
+
+function tellAll(): void {
+  release();
+  if (isBehind) catchUp();
+  isBehind = false;
 }
 
 /** Keys that go on with a number. */
@@ -34,7 +65,7 @@ function tellBeforeActing(): void {
   if (listens) return;
   listens = true;
   const tell = (event: Event) => {
-    if (held.size > 0 && !(event instanceof KeyboardEvent && typesOn(event))) flushSync(release);
+    if ((held.size > 0 || isBehind) && !(event instanceof KeyboardEvent && typesOn(event))) flushSync(tellAll);
   };
   for (const act of ["keydown", "pointerdown", "click", "focusout", "paste", "drop"] as const)
     addEventListener(act, tell, { capture: true });
@@ -52,25 +83,32 @@ export function whileTyping(change: () => void): boolean {
   tellBeforeActing();
   told.setState({ isAll: false });
   callOff();
-  callOff = afterPicture(release);
+  callOff = afterPicture(releaseByTurns);
   return true;
 }
 
-/** Leaves something for when what is typed just now is told; false where nobody types, and it is to be done at once. */
+/** Leaves the showing of a text for when what is typed just now is told; false where nobody types, and it is to be done at once. */
 export function behindTyping(run: () => void): boolean {
-  if (isTyping) held.add(run);
+  if (isTyping) held.set(run, "text");
   return isTyping;
 }
 
-/** A store whose followers among the components see what is typed a moment later; everything else reads and hears it at once. */
-export function heldWhileTyping<S>(begin: StateCreator<S>): UseBoundStore<StoreApi<S>> & { readonly atOnce: UseBoundStore<StoreApi<S>> } {
+/**
+ * A store whose followers among the components see what is typed a moment later; everything else reads and hears it at once. A result
+ * that comes by itself while something is held waits its turn; any other change tells all that is held with it.
+ */
+export function heldWhileTyping<S>(begin: StateCreator<S>, of: "work" | "result" = "work"):
+  UseBoundStore<StoreApi<S>> & { readonly atOnce: UseBoundStore<StoreApi<S>> }
+{
   const store = createStore(begin), shown = createStore(() => store.getState());
   const tell = () => shown.setState(store.getState(), true);
   store.subscribe(() => {
-    held.add(tell);
-    if (!isTyping) release();
+    const waits = isTyping || (of === "result" && held.size > 0);
+    held.set(tell, of);
+    if (!waits) release();
   });
-  const bound = (api: StoreApi<S>) => Object.assign(<T>(selector: (state: S) => T) => useStore(api, selector), store);
+  const follow = of === "result" ? useFollowed : useStore;
+  const bound = (api: StoreApi<S>) => Object.assign(<T>(selector: (state: S) => T) => follow(api, selector), store);
   return Object.assign(bound(shown) as UseBoundStore<StoreApi<S>>, { atOnce: bound(store) as UseBoundStore<StoreApi<S>> });
 }
 

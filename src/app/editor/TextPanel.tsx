@@ -11,7 +11,7 @@ import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { encode, notIn } from "./encoding.ts";
 import { downloadBytes } from "../files/download.ts";
-import { handOverText, openBlock, readWhole, sessionText, sessionView, useSession } from "./session.ts";
+import { handOverText, openBlock, readWhole, sessionDom, sessionText, sessionView, useSession } from "./session.ts";
 import { shownFile, showFile, useShownName } from "../files/shown-file.ts";
 import { SaveButton } from "./SaveButton.tsx";
 import { SkipSwitch } from "./SkipSwitch.tsx";
@@ -37,10 +37,10 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
   const foreign = useEditor((s) => (s.program ? notIn(shownFile(s.program)) : null));
 
   useEffect(() => {
-    const view = sessionView();
-    if (!view || view.dom.parentElement === box.current) return;
-    box.current?.append(view.dom);
-    view.requestMeasure();
+    const dom = sessionDom();
+    if (!dom || dom.parentElement === box.current) return;
+    box.current?.append(dom);
+    sessionView()?.requestMeasure();
   }, [ready]);
 
   const bytes = () => {

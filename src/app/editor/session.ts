@@ -241,6 +241,8 @@ export function closeSession(): void {
 }
 
 export const sessionView = (): EditorView | null => view?.get() ?? null;
+/** What its editor is on the page, whether or not it shows the newest text yet. */
+export const sessionDom = (): HTMLElement | null => view?.dom ?? null;
 
 /** Makes a change of the text by a dialog. Changes at the same place, one after the other, are one step of undo. */
 export function dispatchEdit(spec: TransactionSpec, place: string | null): void {

@@ -12,6 +12,8 @@ export type TextUpdate = Pick<ViewUpdate, "state" | "startState" | "transactions
 export interface TextView {
   /** The editor, which knows the whole text. */
   readonly get: () => EditorView;
+  /** What the editor is on the page. */
+  readonly dom: HTMLElement;
   /** A change that a dialog makes of the newest state of the text. */
   readonly edit: (made: Transaction) => void;
   /** Shows another text. */
@@ -41,6 +43,7 @@ export function createTextView(begin: EditorState, onChange: (change: TextUpdate
       catchUp();
       return view;
     },
+    dom: view.dom,
     edit(made) {
       if (behindTyping(catchUp)) behind = [...behind, made];
       else {

@@ -13,7 +13,7 @@ import { notice } from "../saving/keep.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useEditor, type Editor } from "../store.ts";
 import { useTools } from "../tools/tool-store.ts";
-import { whileTyping } from "../typing.ts";
+import { byAndBy, whileTyping } from "../typing.ts";
 import { controlInUse, shopOf, toolTable } from "../tools/work-tools.ts";
 import { filesOf, isProgram, type ProgramWork, type Work, type WorkFile } from "../work.ts";
 import type { Comparer } from "../which/comparison.ts";
@@ -104,7 +104,7 @@ async function work(): Promise<void> {
       await pauseInTyping();
       if (version > left) {
         notePace(wanted.request, outcome.pace);
-        takeOutcome(outcome);
+        byAndBy(() => takeOutcome(outcome));
       }
     } catch (error) {
       stopWorker();

@@ -69,7 +69,7 @@ const none: OutcomeState = {
   stopped: false,
   paused: false,
 };
-export const useOutcome = heldWhileTyping<OutcomeState>(() => none);
+export const useOutcome = heldWhileTyping<OutcomeState>(() => none, "result");
 
 /** A cycle with its moves, or in a program without cycles any move, turned or milled. */
 const makesPath = (made: Made | null) => {

@@ -28,7 +28,7 @@ export function PartExport({ stem, done }: { readonly stem: string; readonly don
 
 function Opened({ words: t, stem, done }: { readonly words: ExportTexts; readonly stem: string; readonly done: () => void }) {
   const { close } = useFirstTexts().page, lengths = useLengths();
-  const { shown, dimmed } = useOutcome();
+  const shown = useOutcome((s) => s.shown), dimmed = useOutcome((s) => s.dimmed);
   const dialog = useRef<HTMLDialogElement>(null);
   const [said, say] = useState("");
   useModal(dialog, ".export-part button:not(:disabled)");

@@ -9,7 +9,7 @@ import { useTheme } from "./use-theme-colours.ts";
  */
 export function MaterialSheet({ viewport, moving, blank, section, chuck }: Omit<SheetScene, "theme">) {
   const ground = useRef<HTMLCanvasElement>(null), canvas = useRef<HTMLCanvasElement>(null), made = useRef<HTMLCanvasElement>(null);
-  const layers = useRef<HTMLDivElement>(null), memory = useRef<SheetMemory>({ ground: "", work: [] }), theme = useTheme();
+  const layers = useRef<HTMLDivElement>(null), memory = useRef<SheetMemory>({ ground: "", work: [], laid: null }), theme = useTheme();
   useEffect(() => {
     const under = ground.current, over = canvas.current, given = made.current, holder = layers.current;
     if (!under || !over || !given || !holder) return undefined;

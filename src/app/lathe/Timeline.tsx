@@ -44,10 +44,10 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
   return (
     <div className="lathe-timeline">
       <div className="lathe-timeline-names" aria-hidden="true">
-        {bar.operations.map(({ operation, from, to }) => {
+        {bar.operations.map(({ operation, from, to }, i) => {
           const named = run.operations[operation];
           return named && (
-            <span key={`${operation}-${from}`} style={{
+            <span key={i} style={{
               left: `${from * 100}%`,
               width: `max(0px, min(${(to - from) * 100}%, ${(1 - from) * 100}% - var(--clock)))`,
             }}>

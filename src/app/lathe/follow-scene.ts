@@ -69,13 +69,21 @@ export interface SheetScene {
   readonly theme: number;
 }
 
+/** For what the canvases are laid: how it is looked at, and the parts of the picture they cover. */
+type Laid = Pick<StockLook, "camera" | "room" | "ratio"> & { readonly work: Patch; readonly ground: Patch };
+
 /** What the canvases show, kept from one scene to the next: painted again only when that is something else. */
 export interface SheetMemory {
   ground: string;
   work: readonly unknown[];
+  /** Where they lie, and how it is painted; null before the first picture. */
+  laid: (Laid & { readonly style: string }) | null;
 }
 
-/** Paints a scene, and follows its camera and its playback; returns what ends that. */
+/**
+ * Paints a scene, and follows its camera and its playback; returns what ends that. A scene that only has another stock than the one before is
+ * painted by the worker, which has that stock, and the page shows it when it is there.
+ */
 export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: SheetMemory): () => void {
   const { under, over, given, holder } = canvases, { viewport, moving, blank, section, chuck, theme } = scene;
   const shop = under.getContext("bitmaprenderer"), pen = over.getContext("2d"), frame = given.getContext("bitmaprenderer");
@@ -84,7 +92,12 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
   const box = boundsOf(blanks.flat()), widest = { outer: farthest(blanks), along: 0 };
   const painter = stockPainter(moving ?? untouchedRun(blank)), playback = moving?.playback;
   const played = moving ? playedLayer(holder, moving.playback, () => playedSteps(moving.steps)) : null;
-  let camera = viewport.drawn(), room = drawnRoom(viewport.size()), ratio = viewport.ratio(), work: Patch = NOWHERE, ground = SPECK;
+  const nowhere = (): Laid =>
+    ({ camera: viewport.drawn(), room: drawnRoom(viewport.size()), ratio: viewport.ratio(), work: NOWHERE, ground: SPECK });
+  let { camera, room, ratio, work, ground } = memory.laid ?? nowhere();
+  const style = JSON.stringify([theme, section, chuck]);
+  /** True as long as the canvases show the scene of before. */
+  let isOld = true;
   /** The camera for which the worker is painting. */
   let awaited: Camera | null = null;
   const look = (): StockLook => ({ section, chuck, camera, colours, ratio, origin: work, ground, room });
@@ -100,6 +113,8 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
   /** Looks where the picture is to be drawn for; what is painted from now on is painted for that. */
   const turn = () => {
     ({ camera, room, ratio, origin: work, ground } = nextLook());
+    memory.laid = { camera, room, ratio, work, ground, style };
+    isOld = false;
   };
   const shift = () => {
     shiftSheet(under, viewport, ground, camera);
@@ -174,14 +189,17 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
   const follow = () => {
     const of = moving && playback?.flows && viewport.drawn().xUp === camera.xUp ? knownOf(moving.steps) : null;
     const now = viewport.drawn();
-    if (now === camera) awaited = null;
-    else if (!of || !playback) paintAll();
+    if (now === camera && !isOld) awaited = null;
+    else if (!of || !playback || (isOld && (playback.get().playing || memory.laid?.style !== style))) paintAll();
     else if (now !== awaited) void lookAnew(of, playback.shown());
     shift();
   };
   let waits = false;
   const paintMoved = () => {
     if (!playback) return;
+    // What the worker paints is soon there, and followed to where it has moved by then.
+    if (isOld && awaited && !playback.get().playing) return;
+    if (isOld) paintAll();
     if (played?.follow(look)) {
       if (shows === "given") own();
       return show("played");
@@ -193,8 +211,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     if (painter.follow(pen, look(), playback.shown())) memory.work = [];
   };
   show(shows);
-  paintAll();
-  shift();
+  follow();
   const ends = [viewport.subscribe(follow), playback?.subscribe(paintMoved), played?.stop];
   return () => {
     awaited = null;

@@ -45,7 +45,7 @@ function NoDrawing({ name, text, done }: { readonly name: string; readonly text:
 export function ProgramDrawing({ stem, done }: { readonly stem: string; readonly done: () => void }) {
   const t = useDrawingTexts();
   const language = useSettings((s) => s.language);
-  const { shown, dimmed } = useOutcome();
+  const shown = useOutcome((s) => s.shown), dimmed = useOutcome((s) => s.dimmed);
   const file = useEditor((s) => s.program?.name);
   const { material } = useMaterialOfWork();
   const task = useTaskFile(), known = task === "none" ? null : task;
