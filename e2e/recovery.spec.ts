@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
@@ -28,6 +29,45 @@ test("wrong input says what is wrong and what would work, and the picture stays"
   await expect(dialog.value).toHaveValue("3");
   await expect(effect.cell("passes")).toHaveText(passes ?? "");
   await expect(lathe.view).not.toContainText(t.lathe.outdated);
+});
+
+test("a block of a program that is half typed keeps the last good picture, until it is right or left", async ({ page }) => {
+  const { editor, dialog, lathe, t } = await Turnwise.open(page);
+  await editor.openFile("FLANGE.h", readFileSync("src/examples/flange.h"));
+  const passes = editor.total(t.page.effect.passes), proved = editor.total(t.findings.verdict.title);
+  await expect(passes).toHaveText(/^[1-9]\d$/);
+  await expect(proved).toHaveText(t.findings.verdict.proved);
+  const all = (await passes.textContent()) ?? "";
+  await editor.show("structure");
+  await editor.operation(2).click();
+  await editor.show("block");
+  await dialog.open("Q463");
+  for (const wrong of ["3 mm", "2000", "3*"]) {
+    await dialog.type(wrong);
+    await expect(dialog.value).toHaveAttribute("aria-invalid", "true");
+    await expect(lathe.view).toContainText(t.lathe.outdated);
+    await expect(passes).toHaveText(all);
+  }
+  await dialog.type("3");
+  await expect(lathe.view).not.toContainText(t.lathe.outdated);
+  await expect(passes).toHaveText(all);
+
+  await editor.line("Q493=+62").click();
+  await page.keyboard.press("Home");
+  for (let i = 0; i < 6; i += 1) await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Delete");
+  await page.keyboard.press("Delete");
+  await expect(editor.line("Q493=+ ")).toBeVisible();
+  await expect(lathe.view).toContainText(t.lathe.outdated);
+  await expect(passes).toHaveText(all);
+  await page.keyboard.type("61");
+  await expect(lathe.view).not.toContainText(t.lathe.outdated);
+  await page.keyboard.press("Backspace");
+  await page.keyboard.press("Backspace");
+  await expect(lathe.view).toContainText(t.lathe.outdated);
+  await editor.line("TOOL CALL 1").first().click();
+  await expect(lathe.view).not.toContainText(t.lathe.outdated);
+  await expect(passes).not.toHaveText(all);
 });
 
 test("a start diameter equal to the end diameter is named at its prompt and in the list, and leads there", async ({ page }) => {

@@ -8,6 +8,7 @@ import type { JobReading } from "../reading.ts";
 import { useOwn } from "../own/own-store.ts";
 import { libraryOf, useOwnCycles } from "../own/own-reading.ts";
 import { readingOfOwn, type OwnBlock } from "../own/own-block.ts";
+import { watchDraft } from "./half-typed.ts";
 import { problemsOfBlock, readingOfBlock, withPrompt } from "./block-prompts.ts";
 import { editProgram, useSession, type Session } from "./session.ts";
 import { useShownBeside } from "../files/shown-file.ts";
@@ -62,13 +63,20 @@ export function useOpenBlock(): { readonly read: JobReading | null; readonly own
   return { read, own, problems };
 }
 
+/** Holds what is typed, as the text took it. */
+function noteTyped(draft: Draft, index: number): void {
+  const { reading } = useSession.getState();
+  useTyped.setState({ draft, reading, index });
+  watchDraft(reading.program, index, draft);
+}
+
 /** Writes several prompts of the open block into its text, in one step. */
 export function setBlockPrompts(texts: Readonly<Record<string, string>>): void {
   const session = useSession.getState();
   const { reading: { program }, index } = session;
   const draft = { ...draftIn(useTyped.getState(), session), ...texts };
   editProgram(Object.entries(texts).reduce((now, [q, text]) => withPrompt(now, index, q, text), program), null);
-  useTyped.setState({ draft, reading: useSession.getState().reading, index });
+  noteTyped(draft, index);
 }
 
 /** Writes a prompt of the open block into its text. */
@@ -77,5 +85,5 @@ export function setBlockPrompt(q: string, text: string): void {
   const { reading: { program }, index } = session;
   const draft = { ...draftIn(useTyped.getState(), session), [q]: text };
   editProgram(withPrompt(program, index, q, text), `block ${index} ${q}`);
-  useTyped.setState({ draft, reading: useSession.getState().reading, index });
+  noteTyped(draft, index);
 }

@@ -13,6 +13,7 @@ import { fileOf, withText, type ProgramWork, type WorkFile } from "../work.ts";
 import { changesBetween } from "./block-edits.ts";
 import { dialogEdit } from "./dialog-edit.ts";
 import { editorExtensions } from "./editor-extensions.ts";
+import { forgetHalf, watchText } from "./half-typed.ts";
 import { fileText, heldAs, type HeldText as Text } from "./held-text.ts";
 import { withHistory, writtenState } from "./kept-text.ts";
 import { lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
@@ -40,9 +41,7 @@ const none: Session = { reading: readingOf(""), index: -1, parameter: null, open
 export const useSession = heldWhileTyping<Session>(() => none);
 
 /** Rest after typing before panels follow, and before a text of this many blocks is calculated and kept, ms. */
-const PANELS_REST = 80;
-const REST = 150;
-const LONG_REST = 700;
+const PANELS_REST = 80, REST = 150, LONG_REST = 700;
 const LONG = 1500;
 
 /** Texts that are held after they were left. */
@@ -110,6 +109,7 @@ function show(opened: boolean): void {
 
 function onChange(update: TextUpdate): void {
   if (open) open.state = update.state;
+  watchText(update);
   const typed = update.docChanged && update.transactions.some((tr) => tr.isUserEvent("input.type") || tr.isUserEvent("delete"));
   const byDialog = update.transactions.some((tr) => tr.annotation(dialogEdit));
   if (update.docChanged) {
@@ -145,6 +145,7 @@ function textOf({ name, text }: WorkFile, work: string): Text {
 /** Takes up the text that is to be shown, and holds it for later. */
 function takeUp(program: ProgramWork, work: string): Text {
   const text = textOf(shownFile(program), work);
+  forgetHalf();
   texts.delete(heldAs(text));
   texts.set(heldAs(text), text);
   for (const [oldest] of texts) if (texts.size > HELD) texts.delete(oldest);

@@ -57,6 +57,8 @@ export interface OutcomeState {
   readonly stopped: boolean;
   /** Prompts are incomplete; nothing is calculated until they can be read again. */
   readonly paused: boolean;
+  /** A block of the text is half typed: it is calculated as it stands, and the picture stays the one of before. */
+  readonly keeps: boolean;
 }
 
 const none: OutcomeState = {
@@ -68,6 +70,7 @@ const none: OutcomeState = {
   stage: null,
   stopped: false,
   paused: false,
+  keeps: false,
 };
 export const useOutcome = heldWhileTyping<OutcomeState>(() => none, "result");
 
@@ -78,10 +81,14 @@ const makesPath = (made: Made | null) => {
   return operations.length === 0 ? steps.length > 0 || plane.length > 0 : operations.some((o) => o.plan.moves.length > 0);
 };
 
+/** Whether a result takes the place of the one that is shown. */
+const replaces = (made: Made, { shown, keeps }: Pick<OutcomeState, "shown" | "keeps">): boolean =>
+  !makesPath(shown) || (!keeps && makesPath(made));
+
 function settled(s: OutcomeState): OutcomeState {
   const { newest, shown, planned } = s;
-  const pictured = planned && (makesPath(planned) || !makesPath(shown)) ? planned : shown;
-  return { ...s, pictured, dimmed: pictured !== null && (s.paused || pictured !== (planned ?? newest)) };
+  const pictured = planned && replaces(planned, s) ? planned : shown;
+  return { ...s, pictured, dimmed: pictured !== null && (s.paused || s.keeps || pictured !== (planned ?? newest)) };
 }
 
 /** Takes a result in, unless a newer one is already there. */
@@ -89,7 +96,7 @@ export function takeOutcome(outcome: Outcome): void {
   useOutcome.setState((s) => {
     if (s.newest && s.newest.version >= outcome.version) return s;
     const planned = s.planned && s.planned.version > outcome.version ? s.planned : null;
-    return settled({ ...s, newest: outcome, planned, shown: makesPath(outcome) || !makesPath(s.shown) ? outcome : s.shown });
+    return settled({ ...s, newest: outcome, planned, shown: replaces(outcome, s) ? outcome : s.shown });
   });
 }
 
@@ -108,6 +115,14 @@ export const calculationStopped = (): void => useOutcome.setState({ stage: null,
 
 /** Values are incomplete: the last picture stays, dimmed; or they are complete again. */
 export const pause = (paused: boolean): void => useOutcome.setState((s) => (s.paused === paused ? s : settled({ ...s, paused })));
+
+/** A block of the text is half typed, or no longer: then what was calculated meanwhile is shown. */
+export const holdPicture = (keeps: boolean): void =>
+  useOutcome.setState((s) => {
+    if (s.keeps === keeps) return s;
+    const { newest } = s, now = { ...s, keeps };
+    return settled({ ...now, shown: newest && replaces(newest, now) ? newest : s.shown });
+  });
 
 /** Another cycle or program: its first picture must not be that of the one before. */
 export function forgetOutcome(): void {
