@@ -70,6 +70,20 @@ test("a block of a program that is half typed keeps the last good picture, until
   await expect(passes).not.toHaveText(all);
 });
 
+test("a half typed word of an approach keeps the last good picture too", async ({ page }) => {
+  const { editor, dialog, t } = await Turnwise.open(page);
+  await editor.openFile("PLATE.h", readFileSync("src/examples/plate.h"));
+  await editor.line("APPR LT").click();
+  await editor.show("block");
+  await page.getByRole("button", { name: /^LEN / }).click();
+  const outdated = page.getByText(t.lathe.outdated);
+  await expect(outdated).toBeHidden();
+  await dialog.value.fill("10*");
+  await expect(outdated).toBeVisible();
+  await dialog.value.fill("10");
+  await expect(outdated).toBeHidden();
+});
+
 test("a start diameter equal to the end diameter is named at its prompt and in the list, and leads there", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { dialog, findings, effect } = turnwise;

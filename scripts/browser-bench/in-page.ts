@@ -119,8 +119,10 @@ export function watchDrawing(): void {
       else if (element?.closest(".shape-stock, .lathe-residual")) changed(false);
     }
   }).observe(document, { subtree: true, childList: true, attributes: true, attributeFilter: ["d"] });
-  const pens = [[CanvasRenderingContext2D.prototype, "fill"], [CanvasRenderingContext2D.prototype, "stroke"],
-    [CanvasRenderingContext2D.prototype, "drawImage"], [ImageBitmapRenderingContext.prototype, "transferFromImageBitmap"]] as const;
+  const pens = [[CanvasRenderingContext2D.prototype, "fill"], [CanvasRenderingContext2D.prototype, "stroke"], [
+    CanvasRenderingContext2D.prototype,
+    "drawImage",
+  ], [ImageBitmapRenderingContext.prototype, "transferFromImageBitmap"]] as const;
   for (const [pen, name] of pens) {
     const own = Reflect.get(pen, name) as (...given: unknown[]) => void;
     Object.defineProperty(pen, name, {

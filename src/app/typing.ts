@@ -97,9 +97,10 @@ export function behindTyping(run: () => void): boolean {
  * A store whose followers among the components see what is typed a moment later; everything else reads and hears it at once. A result
  * that comes by itself while something is held waits its turn; any other change tells all that is held with it.
  */
-export function heldWhileTyping<S>(begin: StateCreator<S>, of: "work" | "result" = "work"):
-  UseBoundStore<StoreApi<S>> & { readonly atOnce: UseBoundStore<StoreApi<S>> }
-{
+export function heldWhileTyping<S>(
+  begin: StateCreator<S>,
+  of: "work" | "result" = "work",
+): UseBoundStore<StoreApi<S>> & { readonly atOnce: UseBoundStore<StoreApi<S>> } {
   const store = createStore(begin), shown = createStore(() => store.getState());
   const tell = () => shown.setState(store.getState(), true);
   store.subscribe(() => {

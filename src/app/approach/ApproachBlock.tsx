@@ -3,6 +3,7 @@ import { withBlock } from "../../nc/edit.ts";
 import { startLines } from "../../nc/program.ts";
 import { approachContext } from "../../program/approach-context.ts";
 import { parametersBefore } from "../editor/block-context.ts";
+import { watchTyped } from "../editor/half-typed.ts";
 import { editProgram, useSession } from "../editor/session.ts";
 import { useShownBeside } from "../files/shown-file.ts";
 import { useOutcome } from "../engine/outcome.ts";
@@ -36,6 +37,9 @@ export function ApproachBlock({ problems }: { readonly problems: readonly Findin
       onOpen={onOpen} onChange={(next, place) => {
       const now = useSession.getState();
       editProgram(withBlock(now.reading.program, now.index, next), place === null ? null : `block ${now.index} ${place}`);
+    }} onTyped={(isRead) => {
+      const now = useSession.getState();
+      watchTyped(now.reading.program, now.index, !isRead);
     }} />
   );
 }

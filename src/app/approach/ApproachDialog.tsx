@@ -32,6 +32,7 @@ interface Props {
   readonly begins?: string | null;
   readonly onOpen?: (word: string | null) => void;
   readonly onChange: (next: ApproachStatement, place: string | null) => void;
+  readonly onTyped?: (isRead: boolean) => void;
 }
 
 /** The end of the dialog: what is still wrong. */
@@ -51,13 +52,13 @@ function ApproachDone({ session }: { readonly session: PromptSession }) {
 
 /** The dialog of an APPR or DEP block: one prompt open, the drawing of its values, all other prompts one line each. */
 export function ApproachDialog({ statement, newest = () => statement, context, found = [], choosing: first = false, begins = null, onOpen,
-  onChange }: Props)
+  onChange, onTyped }: Props)
 {
   const { approach: t } = useTexts();
   const [choosing, choose] = useState(first);
   const { form, departing } = statement;
   const name = `${departing ? "DEP" : "APPR"} ${form}`;
-  const typed = useTypedApproach(statement, context, newest, onChange);
+  const typed = useTypedApproach(statement, context, newest, onChange, onTyped);
   const ready = readyApproach(form, departing, typed.reading, context);
   const made = ready && approach(ready.request);
 

@@ -28,13 +28,14 @@ const shownDraft = (statement: ApproachStatement, { plane, parameters }: Approac
 /**
  * Typed text of a block. What can be read goes into the block at once; what can not stays in its prompt. A block that was
  * changed elsewhere (undo, its text) takes the place of what was typed. `newest`: the block as it stands, which is shown a moment after it
- * was typed.
+ * was typed. `onTyped` is told whether all that is typed can be read.
  */
 export function useTypedApproach(
   statement: ApproachStatement,
   context: ApproachContext,
   newest: () => ApproachStatement,
   onChange: (next: ApproachStatement, place: string | null) => void,
+  onTyped: (isRead: boolean) => void = () => undefined,
 ): TypedApproach {
   const { plane, parameters } = context;
   const [useTyped] = useState(() => heldWhileTyping(() => ({ draft: approachDraft(statement) })));
@@ -48,6 +49,7 @@ export function useTypedApproach(
       useTyped.setState({ draft: next });
       const written = approachStatement(now, plane, next, parameters);
       if (!same(written, now)) onChange(written, Object.keys(words).join(" "));
+      onTyped(Object.values(readApproach(now, plane, next, parameters)).every(({ issue }) => issue === null));
     },
   };
 }

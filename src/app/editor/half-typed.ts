@@ -44,8 +44,12 @@ export function watchText({ startState, state, docChanged }: TextUpdate): void {
   note(wasRight && isWrong(state.field(readingField).program, index) ? index : null);
 }
 
-/** Looks at what is typed into the prompts of a block; `program`: its text, which has what can be read of it. */
-export function watchDraft(program: Program, index: number, draft: Draft): void {
+/** Looks at what is typed into prompts; `program`: the text of their block, which has what can be read of them. */
+export function watchTyped(program: Program, index: number, isWrongTyped: boolean): void {
   if (half === null && isWrong(program, index)) return;
-  note(isWrongWith(program, index, draft) ? index : null);
+  note(isWrongTyped ? index : null);
 }
+
+/** The same of the prompts of a cycle. */
+export const watchDraft = (program: Program, index: number, draft: Draft): void =>
+  watchTyped(program, index, isWrongWith(program, index, draft));

@@ -92,8 +92,13 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
   const box = boundsOf(blanks.flat()), widest = { outer: farthest(blanks), along: 0 };
   const painter = stockPainter(moving ?? untouchedRun(blank)), playback = moving?.playback;
   const played = moving ? playedLayer(holder, moving.playback, () => playedSteps(moving.steps)) : null;
-  const nowhere = (): Laid =>
-    ({ camera: viewport.drawn(), room: drawnRoom(viewport.size()), ratio: viewport.ratio(), work: NOWHERE, ground: SPECK });
+  const nowhere = (): Laid => ({
+    camera: viewport.drawn(),
+    room: drawnRoom(viewport.size()),
+    ratio: viewport.ratio(),
+    work: NOWHERE,
+    ground: SPECK,
+  });
   let { camera, room, ratio, work, ground } = memory.laid ?? nowhere();
   const style = JSON.stringify([theme, section, chuck]);
   /** True as long as the canvases show the scene of before. */
