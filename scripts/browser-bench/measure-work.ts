@@ -163,7 +163,7 @@ export async function measureLooking(
     const stop = goingOn((count) =>
       how !== "zoom"
         ? page.mouse.move(x + 80 * Math.sin(count / 9), y + 50 * Math.cos(count / 7))
-        : page.mouse.wheel(0, Math.floor(count / 12) % 2 === 0 ? -60 : 60)
+        : page.mouse.wheel(0, Math.floor(count / 24) % 2 === 0 ? -60 : 60)
     );
     await page.waitForTimeout(SETTLE);
     return async () => {

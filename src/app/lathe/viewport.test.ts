@@ -40,9 +40,21 @@ test("it is drawn anew where nothing lies ready, and where its pixels would beco
     for (let move = 0; move < 12; move += 1) {
       viewport.zoom(factor, { x: 611, y: 57 });
       expectReady(viewport);
-      expect(viewport.get().scale / viewport.drawn().scale).toBeLessThan(1.61);
+      expect(viewport.get().scale / viewport.drawn().scale).toBeLessThan(2.21);
     }
   }
+});
+
+test("a hand that zooms out finds what is drawn for further out, and has it drawn less often", () => {
+  const { viewport } = opened(), drawn = new Set([viewport.drawn()]);
+  for (let move = 0; move < 12; move += 1) {
+    viewport.zoom(0.83);
+    drawn.add(viewport.drawn());
+    expectReady(viewport);
+  }
+  expect(drawn.size - 1).toBeLessThanOrEqual(Math.ceil(Math.log(0.83 ** -12) / Math.log(2.1)));
+  vi.advanceTimersByTime(500);
+  expect(viewport.drawn()).toBe(viewport.get());
 });
 
 /** All that is seen lies in what is drawn. */
@@ -90,7 +102,7 @@ test("what is painted under a moving hand has a pixel a point, and those of the 
     drawn = viewport.drawn();
   });
   expect(viewport.ratio()).toBe(2.5);
-  for (let move = 0; move < 2; move += 1) viewport.zoom(1.29);
+  for (let move = 0; move < 2; move += 1) viewport.zoom(1.53);
   vi.advanceTimersByTime(500);
   // The second is drawn anew, and the rest once more, though the camera has not moved since.
   expect(heard).toEqual([[2.5, false], [1, true], [2.5, true]]);

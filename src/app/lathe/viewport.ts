@@ -34,8 +34,8 @@ export interface Viewport {
 const RESTS = 140;
 /** So much of its width and height lies ready on each side of a picture. */
 const AROUND = 0.2;
-/** Shifted pixels may grow so much. */
-const GROWS = 1.6;
+/** Shifted pixels may grow so much; a hand that zooms out finds the next picture drawn for so much further out. */
+const GROWS = 2.2, AHEAD = 1.5;
 
 /** What is painted while a hand moves the picture has a pixel for each point at most, and no more of them than this. */
 const COARSE = 1, MOST_COARSE = 2_500_000;
@@ -106,9 +106,9 @@ export function createViewport(xUp: boolean): Viewport {
   };
   const setByHand = (next: Camera) => {
     byHand = true;
-    const stays = does(drawn, next, size);
+    const stays = does(drawn, next, size), middle = { x: size.width / 2, y: size.height / 2 };
     if (!stays) isCoarse = true;
-    set(next, stays ? drawn : next);
+    set(next, stays ? drawn : next.scale < camera.scale ? zoomed(next, 1 / AHEAD, middle) : next);
     // What is drawn for a camera is told apart by it.
     if (isCoarse || drawn !== camera) rest = setTimeout(() => set(isCoarse ? { ...camera } : camera), RESTS);
   };
