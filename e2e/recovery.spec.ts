@@ -43,12 +43,12 @@ test("a block of a program that is half typed keeps the last good picture, until
   await editor.show("block");
   await dialog.open("Q463");
   for (const wrong of ["3 mm", "2000", "3*"]) {
-    await dialog.type(wrong);
+    await dialog.value.fill(wrong);
     await expect(dialog.value).toHaveAttribute("aria-invalid", "true");
     await expect(lathe.view).toContainText(t.lathe.outdated);
     await expect(passes).toHaveText(all);
   }
-  await dialog.type("3");
+  await dialog.value.fill("3");
   await expect(lathe.view).not.toContainText(t.lathe.outdated);
   await expect(passes).toHaveText(all);
 

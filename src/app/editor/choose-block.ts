@@ -2,6 +2,8 @@ import { blockSpan } from "../../program/block-span.ts";
 import type { PathChoice } from "../../program/path-index.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { shownBeside } from "../files/shown-file.ts";
+import { trackOf } from "../../view/playback.ts";
+import { playback } from "../playback.ts";
 import { useSelection } from "../selected.ts";
 import { choosePath } from "../selection.ts";
 import { isPresent } from "./present.ts";
@@ -33,18 +35,32 @@ export function openChosen(open: () => void): void {
   }
 }
 
+/** What was chosen of a work before anything of it was run. */
+let early: PathChoice | null = null;
+
 /** The block that is open in the text is chosen: its path is marked, and the tool goes to where it begins. */
 export function chooseOpenBlock(): void {
-  const { pictured: shown } = useOutcome.getState();
+  const { pictured: shown, newest } = useOutcome.getState();
   const choice = isChosen ? null : choiceOfOpenBlock();
   if (!choice) return;
+  early = isPresent(shown) || newest ? null : choice;
   choosePath(isPresent(shown) ? shown.run : null, choice);
 }
 
-/** Blocks may stand elsewhere in a changed text: what is marked goes along with the open one. */
+/**
+ * There is another run. Blocks may stand elsewhere in a changed text: what is marked goes along with the open one. What was chosen before
+ * there was any is shown now.
+ */
 export function followOpenBlock(): void {
-  const { choice } = useSelection.getState();
+  const { choice } = useSelection.getState(), isEarly = choice === early;
+  early = null;
   if (choice?.kind !== "blocks" && choice?.kind !== "inFile") return;
+  if (isEarly) {
+    const { pictured } = useOutcome.getState();
+    // The picture is not there yet: the steps of its run are, to be gone to.
+    if (isPresent(pictured) && pictured.run.steps.length > 0) playback.dispatch({ do: "load", track: trackOf(pictured.run.steps) });
+    return chooseOpenBlock();
+  }
   const now = choiceOfOpenBlock();
   if (now) useSelection.setState({ choice: now });
 }

@@ -7,7 +7,8 @@ import { parse } from "../../nc/parse.ts";
 import { run } from "../../program/run.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { trackOf } from "../../view/playback.ts";
-import { useOutcome, type Planned } from "../engine/outcome.ts";
+import { simulate } from "../../sim/simulate.ts";
+import { forgetOutcome, useOutcome, type Planned } from "../engine/outcome.ts";
 import { playback } from "../playback.ts";
 import { filesOf } from "../work.ts";
 import { followProgram } from "./follow.ts";
@@ -79,8 +80,8 @@ const TURNED = [
   "END PGM A MM",
 ];
 
-/** Runs the program of blocks in place of the empty one, and notes each mark and each place that the text is turned to, as blocks. */
-function played() {
+/** Puts the program of blocks in place of the empty one. */
+function turned() {
   const view = sessionView(), text = TURNED.join("\n");
   view?.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text } });
   vi.advanceTimersByTime(2000);
@@ -88,17 +89,23 @@ function played() {
   if (!view || !program || program.text !== text) throw new Error("the text was not handed over");
   const made = run(parse(text), { tools: shippedTools, rapid: 10_000 });
   const planned: Planned = { version: 1, text, files: filesOf(program), run: made, simulation: null };
+  return { view, made, planned };
+}
+
+/** Runs that program, and notes each mark and each place that the text is turned to, as blocks. */
+function played() {
+  const { view, made, planned } = turned();
   useOutcome.setState({ planned, pictured: planned });
   playback.dispatch({ do: "load", track: trackOf(made.steps) });
-  const turned = vi.spyOn(EditorView, "scrollIntoView");
+  const scrolled = vi.spyOn(EditorView, "scrollIntoView");
   return {
     view,
     steps: made.steps.length,
     /** The marked block, and the one that the text was turned to since it was asked last. */
     now: () => {
       const line = view.dom.querySelector(".nc-running")?.textContent ?? null;
-      const places = turned.mock.calls.map(([at]) => view.state.doc.lineAt(typeof at === "number" ? at : at.from).text);
-      turned.mockClear();
+      const places = scrolled.mock.calls.map(([at]) => view.state.doc.lineAt(typeof at === "number" ? at : at.from).text);
+      scrolled.mockClear();
       return [line, ...places];
     },
   };
@@ -128,4 +135,15 @@ test("the text turns to the running block where somebody seeks, steps or plays, 
   openBlock(9);
   vi.advanceTimersByTime(2000);
   expect(now()[0]).toBe("L Z-21.7 F0.2");
+});
+
+test("a block that was chosen before the program had run is gone to when it has", () => {
+  forgetOutcome();
+  const { view, made, planned } = turned();
+  view.dispatch({ selection: { anchor: view.state.doc.line(10).from }, userEvent: "select.pointer" });
+  vi.advanceTimersByTime(2000);
+  playback.dispatch({ do: "load", track: trackOf([]) });
+  useOutcome.setState({ planned, pictured: planned, newest: { ...planned, simulation: simulate(made) } });
+  expect(view.state.doc.line(10).text).toBe("L Z-21.7 F0.2");
+  expect(made.stepBlocks[playback.get().position.step]).toBe(9);
 });

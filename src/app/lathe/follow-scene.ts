@@ -81,8 +81,8 @@ export interface SheetMemory {
 }
 
 /**
- * Paints a scene, and follows its camera and its playback; returns what ends that. A scene that only has another stock than the one before is
- * painted by the worker, which has that stock, and the page shows it when it is there.
+ * Paints a scene, and follows its camera and its playback; returns what ends that. A scene that only has another stock than the one
+ * before is painted by the worker, which has that stock, and the page shows it when it is there.
  */
 export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: SheetMemory): () => void {
   const { under, over, given, holder } = canvases, { viewport, moving, blank, section, chuck, theme } = scene;
