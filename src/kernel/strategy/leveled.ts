@@ -222,7 +222,10 @@ function startOf(l: Leveled, site: Site, setting: Setting): Flat {
   const v = low ? first.v + (finishing ? l.clearance : 0) : called.v;
   if (!reachesIn(l, site, setting)) return { u: called.u, v };
   const lead = leadIn(l, site);
-  const clear = finishing && l.startRule === "shoulder" ? v : Math.max(v, Math.max(site.highest, site.outer) + l.clearance);
+  // The finishing of a shoulder begins at the level it was called from, where no part stands in front of it.
+  const clear = finishing && l.startRule === "shoulder" && !site.inFront
+    ? v
+    : Math.max(v, Math.max(site.highest, site.outer) + l.clearance);
   return { u: first.u - lead - l.clearance, v: clear };
 }
 
