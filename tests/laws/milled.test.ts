@@ -203,6 +203,13 @@ const crosses = (elements: readonly Element[], side: string) =>
     elements.slice(i + 2).some((o) => samplesOf([e], side).some((p) => samplesOf([o], side).some((q) => far(p, q) < STEP)))
   );
 
+/** Whether a contour turns right back, as where two circles touch: on which side of it that corner lies, rounding decides. */
+const turnsBack = (elements: readonly Element[], side: string) =>
+  elements.slice(1).some((e, i) => {
+    const [n, m] = [samplesOf(elements.slice(i, i + 1), side).at(-1)?.off[0], samplesOf([e], side)[0]?.off[0]];
+    return n !== undefined && m !== undefined && n.x * m.x + n.y * m.y < -0.995;
+  });
+
 describe("the stock of programs with RL and RR", () => {
   test("loses what stands within the radius of the tool of a motion, and nothing else", () => {
     let seen = 0;
@@ -222,7 +229,7 @@ describe("the stock of programs with RL and RR", () => {
     let free = 0;
     fc.assert(fc.property(situation, (s) => {
       const { elements, done } = worked(s);
-      if (codes(done).length > 0 || crosses(elements, s.side)) return;
+      if (codes(done).length > 0 || crosses(elements, s.side) || turnsBack(elements, s.side)) return;
       free += 1;
       const centres = freeCentres(elements, s), [own, leads] = waysOf(done);
       for (const p of points(elements, 2 * s.tool, 300)) {
