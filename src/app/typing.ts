@@ -21,9 +21,9 @@ const told = createStore<{ readonly count: number; readonly isAll: boolean }>(()
 
 function tellThose(turns: readonly Turn[]): void {
   callOff();
-  const due = [...held.keys()].filter((tell) => turns.includes(held.get(tell) ?? "work"));
-  for (const tell of due) held.delete(tell);
-  for (const tell of due) tell();
+  const due = [...held].filter(([, turn]) => turns.includes(turn));
+  for (const [tell] of due) held.delete(tell);
+  for (const [tell] of due) tell();
   if (held.size === 0 && !told.getState().isAll) told.setState(({ count }) => ({ count: count + 1, isAll: true }));
 }
 

@@ -84,7 +84,6 @@ export function playerOf(simulation: Simulation): Player {
     },
     at(asked) {
       const { step, fraction } = within(simulation, asked);
-      if (step === simulation.steps.length) return simulation.final;
       const cut = cutUpTo(step);
       const running = simulation.steps[step];
       return cut.stock(running && sweptBy(outlines(running.tool).insert, running, fraction));
