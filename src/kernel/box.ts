@@ -1,4 +1,5 @@
 import type { Box } from "./geometry/segments.ts";
+import { hypotenuse } from "./geometry/vectors.ts";
 import type { Pt, Ring } from "./point.ts";
 import { axial, radius } from "./units.ts";
 
@@ -65,7 +66,7 @@ function nearBox(ring: Ring, parts: readonly Box[], box: Box): Ring {
 
 /** How far two boxes are apart, mm; 0 when they overlap. */
 export const gapBetween = (a: Box, b: Box): number =>
-  Math.hypot(Math.max(0, a.left - b.right, b.left - a.right), Math.max(0, a.low - b.high, b.low - a.high));
+  hypotenuse(Math.max(0, a.left - b.right, b.left - a.right), Math.max(0, a.low - b.high, b.low - a.high));
 
 /**
  * What of an area lies in a box, to be combined further or measured: outlines may run along the sides of the box more than once, which

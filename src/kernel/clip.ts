@@ -1,5 +1,5 @@
-import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, pointInPolygon, PointInPolygonResult, simplifyPaths,
-  type Path64 } from "clipper2-ts";
+import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, pointInPolygon, PointInPolygonResult, ramerDouglasPeucker,
+  simplifyPaths, type Path64 } from "clipper2-ts";
 import { areaOfRing } from "./area.ts";
 import type { Pt, Ring } from "./point.ts";
 import { CHORD, GRID } from "./tolerance.ts";
@@ -91,6 +91,10 @@ export const isInside = (ring: Ring, p: Pt): boolean => {
 
 /** With fewer corners, none of which was farther than `within` mm from the straight line that takes its place. */
 export const simplified = (area: readonly Ring[], within: number): Ring[] => rings(simplifyPaths(paths(area), within * UNITS, true));
+
+/** The same for an open line of points, whose ends stay. */
+export const coarsened = (line: readonly Pt[], within: number): Pt[] =>
+  ramerDouglasPeucker(line.map((p) => ({ x: toGrid(p.z), y: toGrid(p.r) })), within * UNITS).map(({ x, y }) => point(x, y));
 
 /** Without what is thinner than `width` mm; kept areas stay as they are, but for corners rounded by half that width. */
 export const opened = (area: readonly Ring[], width: number): Ring[] => offset(offset(area, -width / 2), width / 2);

@@ -1,5 +1,6 @@
 import { cutCorner, type CornerElement } from "./corner.ts";
 import { selfCrossing } from "./crossing.ts";
+import { hypotenuse } from "./geometry/vectors.ts";
 import { issue, type Issue } from "./issue.ts";
 import { largestThatWorks, mends, offerOf, withOffer } from "./offer.ts";
 import type { Groove } from "./groove.ts";
@@ -123,7 +124,7 @@ export function segmentTo(from: Pt, before: Segment | undefined, e: PathElement,
       return line(from, e.to);
     }
     case "centre": {
-      const [start, end] = [from, e.to].map((p) => Math.hypot(p.z - e.centre.z, p.r - e.centre.r)) as [number, number];
+      const [start, end] = [from, e.to].map((p) => hypotenuse(p.z - e.centre.z, p.r - e.centre.r)) as [number, number];
       const gap = Math.abs(start - end);
       if (gap <= ARC_END && start > SAME) return { kind: "arc", from, to: e.to, centre: e.centre, turn: e.turn };
       issues.push(issue("arcOffCircle", "error", { element, gap, nearest: start }, "contour"));

@@ -21,9 +21,11 @@ export function loweredBy(e: Envelope, cuts: readonly EnvelopePiece[], most: num
       let from = Math.max(rest.u0, cut.u0);
       const end = Math.min(u1, cut.u1);
       push(out, piece, rest.u0, from);
-      for (const to of [...crossings(piece, cut, from, end), ...crossings(piece, roof, from, end), end].sort((x, y) => x - y)) {
+      const cuts = inOrder(crossings(piece, cut, from, end), crossings(piece, roof, from, end));
+      for (let k = 0; k <= cuts.length; k += 1) {
+        const to = cuts[k] ?? end;
         const middle = (from + to) / 2;
-        const [stands, reached] = [valueAt(piece, middle), valueAt(cut, middle)];
+        const stands = valueAt(piece, middle), reached = valueAt(cut, middle);
         push(out, stands <= reached || stands > reached + most + JOINED ? piece : cut, from, to);
         from = to;
       }
@@ -33,6 +35,10 @@ export function loweredBy(e: Envelope, cuts: readonly EnvelopePiece[], most: num
   if (rest) push(out, rest.piece, rest.u0, rest.u1);
   return out.concat(e.slice(i));
 }
+
+/** Two lists of places as one, ascending. */
+const inOrder = (a: readonly number[], b: readonly number[]): readonly number[] =>
+  b.length === 0 ? a : a.length === 0 ? b : [...a, ...b].sort((x, y) => x - y);
 
 /** The stretch of an envelope between two places, moved up by `by` mm. */
 export const raised = (e: Envelope, u0: number, u1: number, by: number): Envelope =>

@@ -1,5 +1,6 @@
 import type { Feature } from "./convex.ts";
 import { flat, type Flat, type FlatSegment } from "./flat.ts";
+import { hypotenuse } from "./geometry/vectors.ts";
 import { JOINED, NOTHING, ROUND } from "./tolerance.ts";
 
 /** Where a piece of the envelope comes from: the insert feature that touches, and the kind of contour element it touches. */
@@ -99,58 +100,70 @@ const sameLine = (p: EnvelopePiece, q: EnvelopePiece): boolean =>
 
 /** Both pieces live on [u0, u1]: the higher one wins between their crossings. */
 function higher(out: Span[], f: EnvelopePiece, g: EnvelopePiece, u0: number, u1: number) {
+  const cuts = crossings(f, g, u0, u1);
   let from = u0;
-  for (const cut of [...crossings(f, g, u0, u1), u1]) {
-    const middle = (from + cut) / 2;
+  for (let i = 0; i <= cuts.length; i += 1) {
+    const cut = cuts[i] ?? u1, middle = (from + cut) / 2;
     push(out, valueAt(f, middle) >= valueAt(g, middle) ? f : g, from, cut);
     from = cut;
   }
 }
 
+/** Where nothing crosses: most pairs of pieces do not. */
+const NOWHERE: readonly number[] = [];
+
 /** The u, strictly inside (lo, hi), where two pieces have the same v; ascending. */
-export function crossings(f: EnvelopePiece, g: EnvelopePiece, lo: number, hi: number): number[] {
-  const found: number[] = [];
-  const offer = (u: number) => {
-    if (u > lo + ROUND && u < hi - ROUND) found.push(u);
-  };
+export function crossings(f: EnvelopePiece, g: EnvelopePiece, lo: number, hi: number): readonly number[] {
+  const isWithin = (u: number): boolean => u > lo + ROUND && u < hi - ROUND;
   if (f.arc === 0 && g.arc === 0) {
-    const k = f.slope - g.slope;
-    if (Math.abs(k) > NOTHING) offer((g.v0 - g.slope * g.u0 - (f.v0 - f.slope * f.u0)) / k);
-  } else if (f.arc === 0) lineArc(f, g as Arc, offer);
-  else if (g.arc === 0) lineArc(g, f as Arc, offer);
-  else arcArc(f as Arc, g as Arc, offer);
-  return found.sort((a, b) => a - b);
+    const u = lineLine(f, g);
+    return isWithin(u) ? [u] : NOWHERE;
+  }
+  const [one, other] = f.arc === 0 ? lineArc(f, g as Arc) : g.arc === 0 ? lineArc(g, f) : arcArc(f, g);
+  const first = Math.min(one, other), second = Math.max(one, other), isFirst = isWithin(first), isSecond = isWithin(second);
+  if (isFirst) return isSecond ? [first, second] : [first];
+  return isSecond ? [second] : NOWHERE;
 }
 
 type Line = Extract<EnvelopePiece, { arc: 0 }>;
 type Arc = Extract<EnvelopePiece, { arc: 1 | -1 }>;
+/** Two u where something crosses, endless where it does not. */
+type Crossed = readonly [number, number];
+const APART: Crossed = [Infinity, Infinity];
 
-function lineArc(l: Line, c: Arc, offer: (u: number) => void) {
+function lineLine(f: Line, g: Line): number {
+  const k = f.slope - g.slope;
+  return Math.abs(k) > NOTHING ? (g.v0 - g.slope * g.u0 - (f.v0 - f.slope * f.u0)) / k : Infinity;
+}
+
+function lineArc(l: Line, c: Arc): Crossed {
   const k = l.v0 - l.slope * (l.u0 - c.cu) - c.cv; // v of the line above the centre, at u = cu
   const a = 1 + l.slope * l.slope;
   const d = c.radius * c.radius * a - k * k;
-  if (d < -ROUND) return;
+  if (d < -ROUND) return APART;
   const root = Math.sqrt(Math.max(0, d));
-  for (const s of [-root, root]) {
+  const on = (s: number): number => {
     const x = (-l.slope * k + s) / a;
-    if ((k + l.slope * x) * c.arc >= -ROUND) offer(c.cu + x);
-  }
+    return (k + l.slope * x) * c.arc >= -ROUND ? c.cu + x : Infinity;
+  };
+  return [on(-root), on(root)];
 }
 
-function arcArc(f: Arc, g: Arc, offer: (u: number) => void) {
+function arcArc(f: Arc, g: Arc): Crossed {
   const du = g.cu - f.cu;
   const dv = g.cv - f.cv;
-  const d = Math.hypot(du, dv);
-  if (d < NOTHING) return;
+  const d = hypotenuse(du, dv);
+  if (d < NOTHING) return APART;
   const along = (d * d + f.radius * f.radius - g.radius * g.radius) / (2 * d);
   const h2 = f.radius * f.radius - along * along;
-  if (h2 < -ROUND) return;
+  if (h2 < -ROUND) return APART;
   const h = Math.sqrt(Math.max(0, h2));
-  for (const s of [-h, h]) {
+  const on = (s: number): number => {
     const u = (along * du - s * dv) / d;
     const v = (along * dv + s * du) / d;
-    if (v * f.arc >= -ROUND && (v - dv) * g.arc >= -ROUND) offer(f.cu + u);
-  }
+    return v * f.arc >= -ROUND && (v - dv) * g.arc >= -ROUND ? f.cu + u : Infinity;
+  };
+  return [on(-h), on(h)];
 }
 
 /** v of the envelope at u: the higher side at a jump, −∞ in a gap. */
@@ -195,20 +208,18 @@ export function lowest(e: Envelope, u0: number, u1: number): number {
 
 /** Highest v of the envelope over [u0, u1], and where; gaps do not count. */
 export function highest(e: Envelope, u0: number, u1: number): { u: number; v: number } {
-  let best = { u: u0, v: -Infinity };
-  const offer = (u: number, v: number) => {
-    if (v > best.v) best = { u, v };
-  };
+  let u = u0, v = -Infinity;
   for (let i = firstSpan(e, u0); i < e.length; i++) {
-    const s = e[i] as Span;
+    const s = e[i] as Span, { piece } = s;
     if (s.u0 > u1) break;
-    const [a, b] = [Math.max(u0, s.u0), Math.min(u1, s.u1)];
+    const a = Math.max(u0, s.u0), b = Math.min(u1, s.u1);
     if (b < a) continue;
-    offer(a, valueAt(s.piece, a));
-    offer(b, valueAt(s.piece, b));
-    if (s.piece.arc === 1 && s.piece.cu > a && s.piece.cu < b) offer(s.piece.cu, s.piece.cv + s.piece.radius);
+    const va = valueAt(piece, a), vb = valueAt(piece, b);
+    if (va > v) [u, v] = [a, va];
+    if (vb > v) [u, v] = [b, vb];
+    if (piece.arc === 1 && piece.cu > a && piece.cu < b && piece.cv + piece.radius > v) [u, v] = [piece.cu, piece.cv + piece.radius];
   }
-  return best;
+  return { u, v };
 }
 
 /** A stretch of u. */

@@ -1,3 +1,4 @@
+import type { ArcOf } from "./geometry/segments.ts";
 import type { Move } from "./move.ts";
 import { part, type Pt, type Segment } from "./point.ts";
 import type { Spindle } from "./step.ts";
@@ -63,14 +64,14 @@ function meanAlongLine(spindle: Spindle, from: number, to: number): number {
 /** Pieces of a whole arc, and of one that turns by half a radian at most, in the numerical mean (Simpson's rule; even). */
 const PIECES = 32, FEW_PIECES = 8, SHORT_TURN = 0.5;
 
-function meanAlongArc(spindle: Spindle, path: Segment): number {
+function meanAlongArc(spindle: Spindle, path: ArcOf<Pt>): number {
   if (spindle.kind === "constant") return minutesPerTurn(spindle, path.from.r);
-  const at = part.pointsOn(path), turn = path.kind === "arc" ? Math.abs(part.polarOf(path).sweep) : 0;
-  const pieces = turn <= SHORT_TURN ? FEW_PIECES : PIECES;
+  const { start, sweep, startRadius, endRadius } = part.polarOf(path), pieces = Math.abs(sweep) <= SHORT_TURN ? FEW_PIECES : PIECES;
   let sum = 0;
   for (let i = 0; i <= pieces; i += 1) {
-    const weight = i === 0 || i === pieces ? 1 : i % 2 === 1 ? 4 : 2;
-    sum += weight * minutesPerTurn(spindle, at(i / pieces).r);
+    const weight = i === 0 || i === pieces ? 1 : i % 2 === 1 ? 4 : 2, on = i / pieces;
+    const out = path.centre.r + (startRadius + (endRadius - startRadius) * on) * Math.sin(start + sweep * on);
+    sum += weight * minutesPerTurn(spindle, out);
   }
   return sum / (3 * pieces);
 }

@@ -32,6 +32,9 @@ interface Made {
 /** Lists of elements whose result is remembered: a program has few contours that are as many blocks as a key waits for. */
 const MOST_MADE = 12;
 
+/** A list with more entries is written once, and called by its name from then on. */
+const LONG_LIST = 50;
+
 /** Whether two plain values hold the same. */
 function holdSame(a: unknown, b: unknown): boolean {
   if (Object.is(a, b)) return true;
@@ -96,14 +99,16 @@ export function planMemory(): PlanMemory {
     asking.push(question);
     return answer;
   };
-  const askedOf =
-    <Asked extends readonly unknown[], Answer>(name: string, make: (...values: Asked) => Answer) => (...values: Asked): Answer =>
-      once(`${name} ${JSON.stringify(values)}`, () => make(...values));
   const first = (value: object): Named => {
     const known = named.get(value) ?? once(`value ${JSON.stringify(value)}`, (name) => ({ value, name }));
     named.set(value, known);
     return known;
   };
+  /** In a question a long list, as a contour is one, stands by its name. */
+  const shortened = (_: string, value: unknown): unknown => (Array.isArray(value) && value.length > LONG_LIST ? first(value).name : value);
+  const askedOf =
+    <Asked extends readonly unknown[], Answer>(name: string, make: (...values: Asked) => Answer) => (...values: Asked): Answer =>
+      once(`${name} ${JSON.stringify(values, shortened)}`, () => make(...values));
   let made: readonly Made[] = [];
   return {
     alike: <Answer extends object>(elements: readonly unknown[], make: () => Answer): Answer => {

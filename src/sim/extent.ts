@@ -3,6 +3,7 @@ import { offset } from "../kernel/clip.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { boxAround } from "../kernel/box.ts";
+import { hypotenuse } from "../kernel/geometry/vectors.ts";
 import { scanCrossings } from "./scan.ts";
 
 /** So far beside a corner an area is looked at, mm: the corner itself belongs to both sides. */
@@ -90,7 +91,7 @@ export function hasRoomFor(area: readonly Ring[], diameter: number): boolean {
 const lengthOf = (ring: Ring) =>
   ring.reduce((sum, p, i) => {
     const q = ring[(i + 1) % ring.length] as Pt;
-    return sum + Math.hypot(q.z - p.z, q.r - p.r);
+    return sum + hypotenuse(q.z - p.z, q.r - p.r);
   }, 0);
 
 /** How near a thickness is told, as a part of itself, and how often it is tried at most. */

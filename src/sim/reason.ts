@@ -3,6 +3,7 @@ import type { Reason } from "../kernel/issue.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import { boxOf, gapBetween } from "../kernel/box.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
+import { hypotenuse } from "../kernel/geometry/vectors.ts";
 import type { Outlines } from "./outlines.ts";
 import type { SimulatedOperation } from "./simulation.ts";
 import { sweepAlong } from "./sweep.ts";
@@ -21,7 +22,7 @@ interface Sample {
 /** Points spread evenly over an outline, each with the length it stands for. */
 function samplesOf(ring: Ring): Sample[] {
   const out: Sample[] = [];
-  const edge = (a: Pt, b: Pt) => Math.hypot(b.z - a.z, b.r - a.r);
+  const edge = (a: Pt, b: Pt) => hypotenuse(b.z - a.z, b.r - a.r);
   const around = ring.reduce((sum, p, i) => sum + edge(p, ring[(i + 1) % ring.length] as Pt), 0);
   ring.forEach((p, i) => {
     const q = ring[(i + 1) % ring.length] as Pt;
@@ -41,7 +42,7 @@ function against(piece: Ring, box: Box, s: Sample): boolean {
   let worst = -Infinity;
   let p = piece[piece.length - 1] as Pt;
   for (const q of piece) {
-    const size = Math.hypot(q.z - p.z, q.r - p.r);
+    const size = hypotenuse(q.z - p.z, q.r - p.r);
     if (size > 0) worst = Math.max(worst, ((q.r - p.r) * (s.z - p.z) - (q.z - p.z) * (s.r - p.r)) / size);
     if (worst > AGAINST) return false;
     p = q;

@@ -1,3 +1,4 @@
+import { hypotenuse } from "../kernel/geometry/vectors.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { stampsOf, type ThreadMove } from "../kernel/thread-turns.ts";
@@ -52,7 +53,7 @@ const FAR = 10_000;
  */
 export function notBehind(outline: Ring, other: Ring, from: Pt, to: Pt): Ring[] {
   const [dz, dr] = [to.z - from.z, to.r - from.r];
-  const size = Math.hypot(dz, dr);
+  const size = hypotenuse(dz, dr);
   if (!(size > 0) || other.length < 3) return [outline];
   const track = hullAlong(other, at((-dz / size) * FAR, (-dr / size) * FAR), at(0, 0));
   return track.flatMap((p, i) => {
@@ -66,7 +67,7 @@ export function notBehind(outline: Ring, other: Ring, from: Pt, to: Pt): Ring[] 
 export function rightOf(ring: Ring, p: Pt, q: Pt): Ring {
   const out: Pt[] = [];
   const beside = (a: Pt) => (q.r - p.r) * (a.z - p.z) - (q.z - p.z) * (a.r - p.r);
-  const least = GRID * Math.hypot(q.z - p.z, q.r - p.r);
+  const least = GRID * hypotenuse(q.z - p.z, q.r - p.r);
   let a = ring[ring.length - 1] as Pt;
   for (const b of ring) {
     const [before, here] = [beside(a) - least, beside(b) - least];

@@ -1,3 +1,4 @@
+import { hypotenuse } from "../kernel/geometry/vectors.ts";
 import type { Move } from "../kernel/move.ts";
 import { part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
 import { JOINED } from "../kernel/tolerance.ts";
@@ -37,7 +38,7 @@ export const startData = (p: Pt): string => `M${at(p)}`;
 export function segmentData(segments: Iterable<Segment>): string {
   let d = "", last: Pt | null = null;
   for (const s of segments) {
-    if (!last || Math.hypot(last.z - s.from.z, last.r - s.from.r) > JOINED) d += startData(s.from);
+    if (!last || hypotenuse(last.z - s.from.z, last.r - s.from.r) > JOINED) d += startData(s.from);
     d += line(s);
     last = s.to;
   }

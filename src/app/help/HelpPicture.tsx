@@ -6,6 +6,7 @@ import type { Plan } from "../../kernel/plan.ts";
 import { texts } from "../settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
+import { coarseContour } from "../../view/help/coarse.ts";
 import type { Numbers } from "../../view/help/lettering.ts";
 import { helpDrawing } from "../../view/help/picture.ts";
 import { Hatches, HelpMarks } from "./HelpMarks.tsx";
@@ -59,7 +60,9 @@ const NOTHING: Numbers = {};
  * its Q number in place of a measure. What can not be drawn leaves the last possible drawing, dimmed.
  */
 export function HelpPicture(props: Props) {
-  const { cycle, values, partial, wrong = false, given, isBorrowed = false, activeQ, language, onPick } = props;
+  const { cycle, values, partial, wrong = false, given: exact, isBorrowed = false, activeQ, language, onPick } = props;
+  const contour = useMemo(() => coarseContour(exact.contour), [exact.contour]);
+  const given = useMemo(() => ({ ...exact, contour }), [exact, contour]);
   const box = useRef<HTMLDivElement>(null);
   const id = useId();
   const size = useSize(box, { width: 400, height: 280 });

@@ -1,5 +1,5 @@
 import { ROUND } from "../tolerance.ts";
-import type { Axes, Vectors } from "./vectors.ts";
+import { hypotenuse, type Axes, type Vectors } from "./vectors.ts";
 
 /** Turning direction as seen with the first axis to the right and the second upwards; DR+ is "ccw". */
 export type Turn = "cw" | "ccw";
@@ -38,6 +38,7 @@ export interface Box {
 export const overlap = (a: Box, b: Box) => a.left <= b.right && b.left <= a.right && a.low <= b.high && b.low <= a.high;
 
 export const FULL_TURN = 2 * Math.PI;
+const QUARTER = Math.PI / 2;
 /** An angle brought into [0, 2π). */
 export const positive = (angle: number) => ((angle % FULL_TURN) + FULL_TURN) % FULL_TURN;
 /** An angle brought into [−π, π): the shorter way round. */
@@ -85,7 +86,7 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
   /** Direction of travel in a point of a segment, length 1. */
   const direction = (s: SegmentOf<P>, p: P): P => {
     if (s.kind === "line") return unit(difference(s.to, s.from));
-    const dx = x(p) - x(s.centre), dy = y(p) - y(s.centre), k = signOf(s.turn) / (Math.hypot(dx, dy) || 1);
+    const dx = x(p) - x(s.centre), dy = y(p) - y(s.centre), k = signOf(s.turn) / (hypotenuse(dx, dy) || 1);
     return point(-dy * k, dx * k);
   };
 
@@ -163,16 +164,21 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
 
   /** The smallest box round a segment. */
   const boxOf = (s: SegmentOf<P>): Box => {
-    const [left, right] = [Math.min(x(s.from), x(s.to)), Math.max(x(s.from), x(s.to))];
-    const [low, high] = [Math.min(y(s.from), y(s.to)), Math.max(y(s.from), y(s.to))];
+    const ax = x(s.from), ay = y(s.from), bx = x(s.to), by = y(s.to);
+    const left = Math.min(ax, bx), right = Math.max(ax, bx), low = Math.min(ay, by), high = Math.max(ay, by);
     if (s.kind === "line") return { left, right, low, high };
-    const [size, sweep] = [radiusOf(s), sweepOf(s)];
-    const passes = (dx: number, dy: number) => turnTo(s, point(x(s.centre) + dx, y(s.centre) + dy)) <= sweep;
+    const cx = x(s.centre), cy = y(s.centre), size = hypotenuse(ax - cx, ay - cy), sweep = sweepOf(s), k = signOf(s.turn);
+    const start = Math.atan2(ay - cy, ax - cx);
+    /** Whether the arc passes the end of its circle that lies so far round, radians. */
+    const passes = (end: number): boolean => {
+      const way = positive((end - start) * k);
+      return way <= sweep || way > FULL_TURN - ROUND;
+    };
     return {
-      left: passes(-1, 0) ? Math.min(left, x(s.centre) - size) : left,
-      right: passes(1, 0) ? Math.max(right, x(s.centre) + size) : right,
-      low: passes(0, -1) ? Math.min(low, y(s.centre) - size) : low,
-      high: passes(0, 1) ? Math.max(high, y(s.centre) + size) : high,
+      left: passes(Math.PI) ? Math.min(left, cx - size) : left,
+      right: passes(0) ? Math.max(right, cx + size) : right,
+      low: passes(-QUARTER) ? Math.min(low, cy - size) : low,
+      high: passes(QUARTER) ? Math.max(high, cy + size) : high,
     };
   };
 

@@ -94,8 +94,9 @@ export function groundOver(contour: readonly Bound[], tool: Tool, frame: Frame, 
  */
 export function beyondAxis(tool: Tool, contour: readonly FlatSegment[], frame: Frame): number {
   if (!frame.transverse) return 0;
-  const past = Math.max(0, ...contour.flatMap((s) => [s.from, s.to]).map((p) => -toPart(frame, p).r));
-  return contour.some((s) => toPart(frame, s.from).r < SAME || toPart(frame, s.to).r < SAME) ? past + noseRadius(tool) : 0;
+  let least = Infinity;
+  for (const { from, to } of contour) least = Math.min(least, toPart(frame, from).r, toPart(frame, to).r);
+  return least < SAME ? Math.max(0, -least) + noseRadius(tool) : 0;
 }
 
 /** The insert in strategy space, relative to the tip. */

@@ -57,9 +57,10 @@ interface Site {
   readonly insert: Convex;
   readonly keep: Flat;
   readonly called: Flat;
-  /** Tip heights: of the outer corner of the area, and of the highest point of the contour. */
+  /** Tip height of the outer corner of the area; the highest and the lowest point of the contour. */
   readonly outer: number;
   readonly highest: number;
+  readonly lowest: number;
   /** The part goes on in front of the first point: as the cycle says, or because a cut from the middle outwards leaves a pin there. */
   readonly inFront: boolean;
 }
@@ -75,7 +76,8 @@ function siteOf(l: Leveled, setting: Setting): Site | null {
     called: toFlat(l.frame, setting.start),
     keep: l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r },
     outer: Math.max(l.outerHeight ?? first.from.v, first.from.v) - extent(insert).minV,
-    highest: Math.max(...flat.flatMap((s) => [s.from.v, s.to.v])),
+    highest: flat.reduce((most, s) => Math.max(most, s.from.v, s.to.v), -Infinity),
+    lowest: flat.reduce((least, s) => Math.min(least, lowestOf(s)), Infinity),
     inFront: l.partInFront || (l.frame.transverse && l.frame.signU > 0),
   };
 }
@@ -112,7 +114,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const top = Math.max(start.v, site.outer);
   // Nothing stands beyond the axis: there the area is open.
   const wall = top + extent(insert).minV > last.to.v + SAME && toPart(l.frame, last.to).r > SAME ? top + FAR : null;
-  const floor = Math.min(...flat.map(lowestOf)) + keep.v;
+  const floor = site.lowest + keep.v;
   const kept = groundOver(bounds, tool, l.frame, keep, { ...over, wall, floors: [...over.floors, { v: floor, on: "edge" }] });
   // The contour grown by the oversize is wanted only where something follows it, or where roughing has run before.
   const grown = l.operation > 1 || l.smoothing === 1 ? groundOver(bounds, tool, l.frame, keep, over) : drawn;
@@ -231,8 +233,7 @@ function startOf(l: Leveled, site: Site, setting: Setting): Flat {
 
 /** How far the edge that an infeed brings into the material reaches ahead of the tip. */
 function leadIn(l: Leveled, site: Site): number {
-  const floor = Math.min(...site.flat.map(lowestOf));
-  const depth = Math.max(site.called.v, site.highest, site.outer) - floor;
+  const depth = Math.max(site.called.v, site.highest, site.outer) - site.lowest;
   return leadOf(site.insert, l.operation > 1 ? undefined : l.infeed > 0 ? Math.min(l.infeed, depth) : depth);
 }
 

@@ -1,4 +1,5 @@
 import { segmentToPart, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { hypotenuse } from "../geometry/vectors.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../point.ts";
 import { CHORD, GRID, ROUND } from "../tolerance.ts";
 
@@ -104,7 +105,7 @@ function withoutSpikes(points: readonly Pt[]): Pt[] {
   for (let i = 0, sound = 0; sound < ring.length && ring.length > 3;) {
     const [a, b, c] = [ring[(i + ring.length - 1) % ring.length], ring[i], ring[(i + 1) % ring.length]] as [Pt, Pt, Pt];
     const [z0, r0, z1, r1] = [b.z - a.z, b.r - a.r, c.z - b.z, c.r - b.r];
-    const size = Math.hypot(z0, r0) * Math.hypot(z1, r1);
+    const size = hypotenuse(z0, r0) * hypotenuse(z1, r1);
     if (size > 0 && (z0 * z1 + r0 * r1 >= 0 || Math.abs(z0 * r1 - r0 * z1) > ROUND * size)) {
       sound += 1;
       i = (i + 1) % ring.length;

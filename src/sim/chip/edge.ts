@@ -1,3 +1,4 @@
+import { hypotenuse } from "../../kernel/geometry/vectors.ts";
 import { at, part, type Pt, type Ring } from "../../kernel/point.ts";
 import { GRID } from "../../kernel/tolerance.ts";
 
@@ -82,7 +83,7 @@ export function thickestOf({ contact, free }: Bounded): Thickness | null {
     for (const { from, to } of edge) {
       const [dz, dr] = [to.z - from.z, to.r - from.r], long = dz * dz + dr * dr;
       const on = long > 0 ? Math.min(1, Math.max(0, ((p.z - from.z) * dz + (p.r - from.r) * dr) / long)) : 0;
-      const [z, r] = [from.z + dz * on, from.r + dr * on], far = Math.hypot(p.z - z, p.r - r);
+      const [z, r] = [from.z + dz * on, from.r + dr * on], far = hypotenuse(p.z - z, p.r - r);
       if (far < size) [size, found] = [far, at(z, r)];
     }
     if (size > (best?.size ?? 0) && Number.isFinite(size) && ends.every((end) => part.apart(end, found) > ON_SIDE))

@@ -1,3 +1,4 @@
+import { hypotenuse } from "../../kernel/geometry/vectors.ts";
 import type { Boundary, Columns, Gap } from "./scan.ts";
 
 /** A straight line of the drawing in one half: distances from the axis are positive, mm. */
@@ -97,7 +98,7 @@ export interface FeedLines {
 export function feedLines({ edges }: Boundary, seen: readonly SeenEdge[], scale: number): readonly FeedLines[] {
   return seen.flatMap(({ edge, z0, r0, z1, r1, low }) => {
     const made = edges[edge]?.made;
-    const length = Math.hypot(z1 - z0, r1 - r0);
+    const length = hypotenuse(z1 - z0, r1 - r0);
     if (made?.texture !== "rough" || !(made.pitch > 0) || !(length > 0)) return [];
     if (Math.abs(made.way[0] * (r1 - r0) - made.way[1] * (z1 - z0)) > FEED_ALONG * length) return [];
     const apart = (made.pitch * (z1 - z0)) / length;

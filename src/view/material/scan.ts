@@ -1,3 +1,4 @@
+import { hypotenuse } from "../../kernel/geometry/vectors.ts";
 import type { Ring } from "../../kernel/point.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Maker, StockSide, Surfaces } from "./surfaces.ts";
@@ -30,7 +31,7 @@ const SHORT = 0.12;
 function isSharp(a: StockSide, b: StockSide): boolean {
   const [az, ar, bz, br] = [a.z1 - a.z0, a.r1 - a.r0, b.z1 - b.z0, b.r1 - b.r0];
   const turn = Math.abs(Math.atan2(az * br - ar * bz, az * bz + ar * br));
-  return turn > (Math.max(Math.hypot(az, ar), Math.hypot(bz, br)) > SHORT ? TURN : SHORT_TURN);
+  return turn > (Math.max(hypotenuse(az, ar), hypotenuse(bz, br)) > SHORT ? TURN : SHORT_TURN);
 }
 
 /** Where a ring is begun: at its left end, which is in the chuck, so that nothing that is worked on is torn apart. */

@@ -1,4 +1,5 @@
 import { isDrill } from "../../kernel/drill.ts";
+import { hypotenuse } from "../../kernel/geometry/vectors.ts";
 import { noseRadius } from "../../kernel/insert.ts";
 import type { Spindle, Step } from "../../kernel/step.ts";
 import { handOf, type ThreadHand } from "../../kernel/thread-turns.ts";
@@ -68,7 +69,7 @@ function perTurnOf({ move, from }: Step, spindle: Spindle | null): number {
 }
 
 function wayOf({ from, move: { to } }: Step): readonly [number, number] {
-  const size = Math.hypot(to.z - from.z, to.r - from.r);
+  const size = hypotenuse(to.z - from.z, to.r - from.r);
   return size > 0 ? [(to.z - from.z) / size, (to.r - from.r) / size] : [0, 0];
 }
 
@@ -212,7 +213,7 @@ function surfacesBy(
       const last = now.fraction > 0 ? now.step : now.step - 1;
       const key = keyOf(side), have = known.get(key);
       if (have && isSame(have, side) && stillTrue(have, last, now)) return have.stretches;
-      const length = Math.hypot(side.z1 - side.z0, side.r1 - side.r0);
+      const length = hypotenuse(side.z1 - side.z0, side.r1 - side.r0);
       const stretches = length < SAME ? [{ begin: 0, end: 1, made: RAW }] : split(side, length, now);
       if (known.size > MOST) known.clear();
       const newest = stretches.reduce((most, s) => Math.max(most, s.made.step), -1);

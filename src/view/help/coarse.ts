@@ -1,0 +1,17 @@
+import type { Given } from "../../cycles/define.ts";
+import { boxAround } from "../../kernel/box.ts";
+import { coarsened } from "../../kernel/clip.ts";
+import { part, type Segment } from "../../kernel/point.ts";
+
+/** A contour with more elements is drawn by fewer: planning it as it is takes longer than anybody waits for a help picture. */
+const MANY = 150;
+/** What no help picture shows, of the size of the contour. */
+const FINE = 1 / 1200;
+
+/** The contour that a cycle is given, for a help picture: one of very many elements by straight lines, which nobody can tell from it there. */
+export function coarseContour(contour: Given["contour"]): Given["contour"] {
+  if (!contour || contour.length <= MANY) return contour;
+  const { left, right, low, high } = boxAround([contour.flatMap((s) => [s.from, s.to])]);
+  const fine = FINE * Math.max(right - left, high - low), points = coarsened(part.flattenedChain(contour, fine), fine);
+  return points.slice(1).map((to, i): Segment => part.line(points[i] ?? to, to));
+}
