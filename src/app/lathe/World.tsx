@@ -25,7 +25,10 @@ export function World({ viewport, shifts = false, children }: { readonly viewpor
     let laid: Camera | null = null;
     const follow = () => {
       const element = group.current, sheet = element?.ownerSVGElement, camera = shifts ? viewport.drawn() : viewport.get();
-      if (camera !== laid) element?.setAttribute("transform", transform(camera));
+      if (camera !== laid) {
+        element?.setAttribute("transform", transform(camera));
+        if (shifts) element?.classList.toggle("coarse", viewport.isCoarse());
+      }
       laid = camera;
       if (shifts && sheet) shiftSheet(sheet, viewport);
     };

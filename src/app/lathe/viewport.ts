@@ -16,6 +16,8 @@ export interface Viewport {
    * most: a canvas is copied to be seen, and that of a fine screen is copied too long. At rest it is painted anew.
    */
   readonly ratio: () => number;
+  /** Drawn under a moving hand, to be drawn finely when it rests. */
+  readonly isCoarse: () => boolean;
   readonly size: () => Size;
   readonly subscribe: (listener: () => void) => () => void;
   /** Looks elsewhere, by hand: from now on the picture is not fitted by itself. */
@@ -120,6 +122,7 @@ export function createViewport(xUp: boolean): Viewport {
   return {
     get: () => camera,
     drawn: () => drawn,
+    isCoarse: () => isCoarse,
     ratio: () => (isCoarse ? coarseRatio(size) : devicePixelRatio),
     size: () => size,
     subscribe(listener) {
