@@ -3,7 +3,7 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import type { PathRole } from "../../view/scene.ts";
-import { piecesFrom, type SpaceLines } from "../../view/solid/path-lines.ts";
+import { piecesFrom, thinned, type SpaceLines } from "../../view/solid/path-lines.ts";
 
 /** What lines stand for: a form of the path, or a tone of what is told by colour; null where no number is told. */
 export type LineLook = { readonly role: PathRole } | { readonly tone: number | null };
@@ -47,6 +47,12 @@ const TONES = [1.5, 2.25, 3, 3.5, 4.25, 5, 5.75] as const;
 const UNTOLD: Form = { wide: 2, dash: [2, 3] };
 /** How strong lines are: of what is to come, of what is done, and of the path where something else is told by colour. */
 const STRENGTH = { coming: 0.75, done: 0.22, under: 0.2, told: 1 } as const;
+
+/** Where there are more pieces, those that cannot be told apart are drawn once: ends closer together than this are not, pixels. */
+const MANY = 4000, FINE = 1;
+
+/** How fine a path of many pieces is drawn, mm: one of a few steps, since each is made anew. */
+const fineness = (pixel: number): number => 2 ** Math.floor(Math.log2(FINE * pixel));
 
 /** Lines on the stage. */
 export interface PathStage {
@@ -99,6 +105,7 @@ export function createPathStage(): PathStage {
   const group = new Group();
   let drawn: readonly { readonly line: LineSegments2; readonly of: StageLines; readonly fades: boolean }[] = [];
   let [colours, pixel, step, share]: [LineColours | null, number, number, number] = [null, 1, 0, 1];
+  let whole: readonly StageLines[] = [];
 
   const clear = () => {
     for (const { line } of drawn) {
@@ -135,17 +142,24 @@ export function createPathStage(): PathStage {
     }
   };
 
+  const isMany = () => whole.reduce((sum, { sources }) => sum + sources.length, 0) > MANY;
+  const arrange = () => {
+    clear();
+    const lines = isMany() ? whole.map((each) => ({ ...each, ...thinned(each, fineness(pixel)) })) : whole;
+    const told = lines.filter(({ look: l }) => "tone" in l).reverse(), path = lines.filter(({ look: l }) => "role" in l);
+    const first = told.map((each) => put(each, geometryOf(each), STRENGTH.told, false));
+    const made = path.map(geometryOf), all = (each: StageLines, i: number) => made[i] ?? geometryOf(each);
+    const coming = told.length > 0 ? [] : path.map((each, i) => put(each, sharing(all(each, i)), STRENGTH.coming, true));
+    const rest = path.map((each, i) => put(each, all(each, i), told.length > 0 ? STRENGTH.under : STRENGTH.done, false));
+    drawn = [...first, ...coming, ...rest];
+    look();
+  };
+
   return {
     group,
     set(lines) {
-      clear();
-      const told = lines.filter(({ look: l }) => "tone" in l).reverse(), path = lines.filter(({ look: l }) => "role" in l);
-      const first = told.map((each) => put(each, geometryOf(each), STRENGTH.told, false));
-      const whole = path.map(geometryOf), all = (each: StageLines, i: number) => whole[i] ?? geometryOf(each);
-      const coming = told.length > 0 ? [] : path.map((each, i) => put(each, sharing(all(each, i)), STRENGTH.coming, true));
-      const rest = path.map((each, i) => put(each, all(each, i), told.length > 0 ? STRENGTH.under : STRENGTH.done, false));
-      drawn = [...first, ...coming, ...rest];
-      look();
+      whole = lines;
+      arrange();
     },
     runs(now) {
       step = now;
@@ -156,7 +170,9 @@ export function createPathStage(): PathStage {
       look();
     },
     setPixel(mm) {
+      const isOther = isMany() && fineness(mm) !== fineness(pixel);
       pixel = mm;
+      if (isOther) arrange();
       for (const { line } of drawn) line.material.dashScale = 1 / pixel;
     },
     setShare(next) {

@@ -57,3 +57,27 @@ export function piecesFrom({ sources }: SpaceLines, step: number): number {
   }
   return low;
 }
+
+/** Cells that a coordinate may fall into: four of them make one whole number. */
+const CELLS = 2 ** 13;
+
+/**
+ * Only those pieces that can be told apart where ends in the same square of `fine` mm are one place; of several that cannot, the one that
+ * is made last. All of them where they reach over too many such squares.
+ */
+export function thinned(lines: SpaceLines, fine: number): SpaceLines {
+  const { places, sources } = lines;
+  let [least, most] = [Infinity, -Infinity];
+  for (const place of places) [least, most] = [Math.min(least, place), Math.max(most, place)];
+  if (!(most - least < fine * CELLS)) return lines;
+  const cell = (place = 0): number => Math.floor((place - least) / fine), seen = new Set<number>(), kept: number[] = [];
+  for (let i = 0; i < sources.length; i += 1) {
+    const at = 6 * i, from = cell(places[at]) * CELLS + cell(places[at + 2]), to = cell(places[at + 3]) * CELLS + cell(places[at + 5]);
+    const key = Math.min(from, to) * CELLS * CELLS + Math.max(from, to);
+    if (!seen.has(key)) kept.push(i);
+    seen.add(key);
+  }
+  const out = { places: new Float32Array(6 * kept.length), sources: Int32Array.from(kept, (i) => sources[i] ?? 0) };
+  kept.forEach((i, k) => out.places.set(places.subarray(6 * i, 6 * i + 6), 6 * k));
+  return out;
+}
