@@ -1,5 +1,5 @@
-import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, pointInPolygon, PointInPolygonResult, ramerDouglasPeucker,
-  simplifyPaths, type Path64 } from "clipper2-ts";
+import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, pointInPolygon, PointInPolygonResult,
+  ramerDouglasPeucker, simplifyPaths, type Path64 } from "clipper2-ts";
 import { areaOfRing } from "./area.ts";
 import type { Pt, Ring } from "./point.ts";
 import { CHORD, GRID } from "./tolerance.ts";

@@ -44,6 +44,10 @@ export const PassLines = memo(
       paint();
       return playback.subscribe(paint);
     }, [stretches, playback, isLong]);
-    return <g ref={group} className={isLong ? "lathe-paths long" : "lathe-paths"}>{stretches.map(({ shapes }, i) => <StretchLines key={i} shapes={shapes} />)}</g>;
+    return (
+      <g ref={group} className={isLong ? "lathe-paths long" : "lathe-paths"}>
+        {stretches.map(({ shapes }, i) => <StretchLines key={i} shapes={shapes} />)}
+      </g>
+    );
   },
 );

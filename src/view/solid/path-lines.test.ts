@@ -48,13 +48,14 @@ test("segments keep their places", () => {
 });
 
 test("what cannot be told apart is drawn once, as the piece that is made last; all else stays", () => {
-  fc.assert(fc.property(
-    fc.array(fc.tuple(...[0, 1, 2, 3].map(() => fc.double({ min: -83.7, max: 61.3, noNaN: true }))), { minLength: 1, maxLength: 60 }),
-    fc.double({ min: 0.03, max: 40, noNaN: true }),
-    (lines, fine) => {
+  fc.assert(
+    fc.property(fc.array(fc.tuple(...[0, 1, 2, 3].map(() =>
+      fc.double({ min: -83.7, max: 61.3, noNaN: true })
+    )), { minLength: 1, maxLength: 60 }), fc.double({ min: 0.03, max: 40, noNaN: true }), (lines, fine) => {
       const all = segmentsInSpace(lines.map(([z = 0, r = 0, toZ = 0, toR = 0]) => ({ kind: "line", from: at(z, r), to: at(toZ, toR) })));
       const few = thinned(all, fine), ends = ({ places }: typeof all, i: number) => [...places.slice(6 * i, 6 * i + 6)];
-      const isNear = (a: number[], b: number[]) => a.every((n, k) => Math.abs(n - (b[k] ?? 0)) < fine);
+      const isNear = (a: number[], b: number[]) =>
+        a.every((n, k) => Math.abs(n - (b[k] ?? 0)) < fine);
       const isOne = (a: number[], b: number[]) => isNear(a, b) || isNear(a, [...b.slice(3), ...b.slice(0, 3)]);
       const kept = [...few.sources];
       expect(kept.every((source, i) => source < (kept[i - 1] ?? Infinity))).toBe(true);
@@ -63,8 +64,8 @@ test("what cannot be told apart is drawn once, as the piece that is made last; a
         const stand = kept.some((other, k) => other >= source && isOne(ends(few, k), ends(all, i)));
         expect(stand).toBe(true);
       }
-    },
-  ));
+    }),
+  );
   const twice = segmentsInSpace([0, 0.01, 7.3].map((by) => ({ kind: "line", from: at(-3.11, 9.72 + by), to: at(-8.46, 11.37 + by) })));
   expect([...thinned(twice, 0.25).sources]).toEqual([2, 1]);
   expect([...thinned(twice, 1e-4).sources]).toEqual([2, 1, 0]);

@@ -5,7 +5,7 @@ const rough = [
   "auf die erste Tiefe einstechen",
   "seitlich zwischen Start und Ende schneiden mit Schruppvorschub",
   "fallende Elemente mit eigenem Vorschub schneiden",
-  "abheben, zurückfahren und neu anfahren (eine Richtung) oder an beiden Enden zustellen (beide Richtungen)",
+  "eine Richtung: abheben, neu anfahren; beide: an beiden Enden zustellen",
   "auf die nächste Tiefe schneiden",
   "wiederholen, bis die Einstichtiefe erreicht ist",
   "im Eilgang auf Abstand, dann ein Schnitt an jeder Flanke",

@@ -6,7 +6,7 @@ const rough = [
   "am Grund verweilen, dann aus dem Einstich zurückziehen",
   "seitlich um die Überlappung, vor dem Werkstück",
   "neben dem vorigen Stich einstechen, mit Schruppvorschub",
-  "wiederholen, bis die Breite erreicht ist, dann entlang schräger oder runder Flanken schneiden",
+  "wiederholen bis zur Breite, dann schräge oder runde Flanken",
   "im Eilgang zum Zyklusstart",
 ];
 const finish = [

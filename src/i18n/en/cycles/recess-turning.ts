@@ -5,7 +5,7 @@ const rough = [
   "plunge to the first depth",
   "cut sideways between start and end at the roughing feed",
   "plunging elements at their own feed",
-  "lift, return and approach again (one direction), or feed in at both ends (both directions)",
+  "one direction: lift, return, approach again; both: feed in at both ends",
   "cut to the next depth",
   "repeat until the depth of the groove is reached",
   "rapid to the clearance, then one cut down each wall",

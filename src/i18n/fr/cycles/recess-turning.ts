@@ -5,7 +5,7 @@ const rough = [
   "plongée à la première profondeur",
   "coupe latérale entre départ et fin à l’avance d’ébauche",
   "éléments plongeants à leur propre avance",
-  "relever, revenir et aborder de nouveau (un sens), ou prendre la passe aux deux bouts (deux sens)",
+  "un sens : relever, revenir, aborder ; deux sens : passe aux deux bouts",
   "coupe à la profondeur suivante",
   "répéter jusqu’à la profondeur de la gorge",
   "rapide à la distance, puis une coupe le long de chaque paroi",

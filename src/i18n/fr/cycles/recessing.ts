@@ -2,7 +2,7 @@ import type { CycleTexts } from "../../cycle-text.ts";
 import { safePosition, turnMode } from "./notes.ts";
 
 const rough = [
-  "plongée en pleine matière à son avance, à la profondeur avec surépaisseur",
+  "plongée en pleine matière à son avance, jusqu’à la surépaisseur",
   "temporisation au fond, puis sortie de la coupe",
   "décalage latéral du recouvrement, devant la pièce",
   "plongée à côté de ce qui est dégagé, à l’avance d’ébauche",
