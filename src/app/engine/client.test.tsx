@@ -9,13 +9,13 @@ import { useOutcome, type Outcome } from "./outcome.ts";
 
 interface Asked {
   readonly request: Request;
-  /** Answers with all of it, or without the run where the page has that already. */
+  /** Answers with what was asked for: all of it, the proof of a run that the page has, or the run alone. */
   readonly answer: (outcome: Outcome) => void;
-  readonly isPlanned: boolean;
+  readonly what: "update" | "proved" | "planned";
 }
 
-/** Whether the page plans by itself, and takes long for it. */
-const page = vi.hoisted(() => ({ plans: false, isSlow: false }));
+/** Whether the page plans by itself, takes long for it, and has that done by the worker. */
+const page = vi.hoisted(() => ({ plans: false, isSlow: false, isLong: false }));
 vi.mock("./page-plan.ts", async () => {
   const { planned } = await import("./plan.ts");
   return {
@@ -24,6 +24,7 @@ vi.mock("./page-plan.ts", async () => {
     notePace: () => undefined,
     planNow: (request: Request) => (page.plans ? planned(request) : null),
     plansBehindDigit: () => page.isSlow,
+    plansLong: () => page.isLong,
   };
 });
 
@@ -35,10 +36,12 @@ vi.mock("comlink", () => ({
   proxy: (f: unknown) => f,
   wrap: () => ({
     [Symbol.for("release")]: () => undefined,
-    update: (request: Request) => new Promise<Outcome>((answer) => asked.push({ request, answer, isPlanned: false })),
+    update: (request: Request) => new Promise<Outcome>((answer) => asked.push({ request, answer, what: "update" })),
+    planned: (request: Request) =>
+      new Promise((answer) => asked.push({ request, answer: (made) => answer({ ...made, simulation: null }), what: "planned" })),
     proved: (request: Request) =>
       new Promise((answer) =>
-        asked.push({ request, answer: ({ simulation: { blank: _, steps: __, ...rest } }) => answer({ ...rest, kept: 0 }), isPlanned: true })
+        asked.push({ request, answer: ({ simulation: { blank: _, steps: __, ...rest } }) => answer({ ...rest, kept: 0 }), what: "proved" })
       ),
   }),
 }));
@@ -68,7 +71,7 @@ beforeEach(() => {
   stop = startEngine();
 });
 afterEach(async () => {
-  Object.assign(page, { plans: false, isSlow: false });
+  Object.assign(page, { plans: false, isSlow: false, isLong: false });
   begin(null, null);
   while (asked.length > 0) await answerNext();
   stop();
@@ -155,8 +158,8 @@ test("what the page plans is in the picture before anything is asked, and its pr
   expect([dimmed, stage]).toEqual([false, "reading"]);
 
   await vi.waitFor(() => expect(asked).toHaveLength(1));
-  const [{ request, isPlanned } = { request: null, isPlanned: false }] = asked;
-  expect(isPlanned).toBe(true);
+  const [{ request, what } = { request: null, what: null }] = asked;
+  expect(what).toBe("proved");
   await answerNext();
   const now = useOutcome.getState();
   expect(now.planned).toBeNull();
@@ -226,4 +229,36 @@ test("values that were emptied before they were proved are proved when they come
   expect(proved).toContain("Q483=+0.38");
   expect(useOutcome.getState()).toMatchObject({ planned: null, dimmed: false });
   expect(shown()).toBe(proved);
+});
+
+test("what takes long to prove is planned by the worker, and seen before that", async () => {
+  page.isLong = true;
+  begin(exampleJob(second), "second");
+  await vi.waitFor(() => expect(asked.map(({ what }) => what)).toContain("planned"));
+  while (asked[0]?.what !== "planned") await answerNext();
+  const text = await answerNext();
+  const { newest, planned, pictured, dimmed, stage } = useOutcome.getState();
+  expect([newest, pictured, dimmed]).toEqual([null, planned, false]);
+  expect([planned?.text, planned?.simulation, stage === null]).toEqual([text, null, false]);
+  expect(asked.map(({ what }) => what)).toEqual(["proved"]);
+  await answerNext();
+  const now = useOutcome.getState();
+  expect([now.planned, now.newest?.run, now.stage]).toEqual([null, planned?.run, null]);
+});
+
+test("what is typed while something long is planned is planned next, and only that is proved", async () => {
+  await answerNext();
+  page.isLong = true;
+  typeInto({ Q483: "0.37" });
+  await vi.waitFor(() => expect(asked).toHaveLength(1));
+  typeInto({ Q483: "0.371" });
+  await answerNext();
+  expect(useOutcome.getState().pictured?.text).toContain("Q483=+0.37 ");
+  await vi.waitFor(() => expect(asked.map(({ what }) => what)).toEqual(["planned"]));
+  await answerNext();
+  expect(useOutcome.getState().pictured?.text).toContain("Q483=+0.371 ");
+  expect(asked.map(({ what }) => what)).toEqual(["proved"]);
+  await answerNext();
+  expect(useOutcome.getState()).toMatchObject({ planned: null, dimmed: false });
+  expect(shown()).toContain("Q483=+0.371 ");
 });

@@ -1,4 +1,4 @@
-import { proxy } from "comlink";
+import { proxy, type Remote } from "comlink";
 import type { Job } from "../../program/job.ts";
 import { readText } from "../../program/field.ts";
 import { SETUP_FIELDS } from "../../program/setup-fields.ts";
@@ -17,12 +17,13 @@ import { byAndBy, whileTyping } from "../typing.ts";
 import { controlInUse, shopOf, toolTable } from "../tools/work-tools.ts";
 import { filesOf, isProgram, type ProgramWork, type Work, type WorkFile } from "../work.ts";
 import type { Comparer } from "../which/comparison.ts";
-import { fetchPlan, forgetPace, notePace, planNow, plansBehindDigit } from "./page-plan.ts";
+import { fetchPlan, forgetPace, notePace, planNow, plansBehindDigit, plansLong } from "./page-plan.ts";
 import { pauseInTyping } from "./quiet.ts";
 import { simulationOf } from "./proved.ts";
 import type { Reported } from "./reported.ts";
 import type { Request } from "./request.ts";
 import { askAgain, stopWorker } from "./worker-life.ts";
+import type { Engine } from "./worker.ts";
 import { atStage, calculationStopped, forgetOutcome, pause, showBeginning, takeOutcome, takePlanned, useOutcome, type Outcome, type Planned,
   type Stage } from "./outcome.ts";
 
@@ -47,25 +48,39 @@ let cancel: (why: Error) => void = () => undefined;
 /** The last answer of the worker: the marks of its simulation are not sent again. */
 let answered: Pick<Outcome, "version" | "simulation"> | null = null;
 
-/** The answer to a request; its stages are told while it is that of the open work. A run that is here already is not sent again. */
-async function outcomeOf({ request, planned }: Wanted): Promise<Outcome> {
-  const told = proxy((stage: Stage) => {
-    if (busy && request.version > left) atStage(stage);
-  });
-  const made = await Promise.race([
-    untilHere(() =>
-      askAgain(async (engine): Promise<Outcome> => {
-        if (!planned) return await engine.update(request, told);
-        const proved = await engine.proved(request, answered?.version ?? null, told);
-        return { ...planned, simulation: simulationOf(proved, planned.run, answered) };
-      })
-    ),
+/** What the worker says, unless nobody waits for it any more. */
+const answerOf = <T>(question: (engine: Remote<Engine>) => Promise<T>): Promise<T> =>
+  Promise.race([
+    untilHere(() => askAgain(question)),
     new Promise<never>((_, reject) => {
       cancel = reject;
     }),
   ]);
+
+/** Tells what the worker begins, of the open work while it is that. */
+const telling = ({ version }: Request, tells: (stage: Stage) => boolean = () => true) =>
+  proxy((stage: Stage) => {
+    if (busy && version > left && tells(stage)) atStage(stage);
+  });
+
+/** The answer to a request. A run that is here already is not sent again. */
+async function outcomeOf({ request, planned }: Wanted): Promise<Outcome> {
+  const made = await answerOf(async (engine): Promise<Outcome> => {
+    if (!planned) return await engine.update(request, telling(request));
+    const proved = await engine.proved(request, answered?.version ?? null, telling(request, (stage) => stage === "proving"));
+    return { ...planned, simulation: simulationOf(proved, planned.run, answered) };
+  });
   answered = made;
   return { ...made, ...ofWork(request) };
+}
+
+/** Has the worker plan what it takes long to prove: the path is seen before that. */
+async function plannedFirst(wanted: Wanted): Promise<Wanted> {
+  const { request } = wanted;
+  if (wanted.planned || !plansLong(request) || isVeiled()) return wanted;
+  const planned = { ...await answerOf((engine) => engine.planned(request, telling(request))), ...ofWork(request) };
+  if (request.version > left) byAndBy(() => takePlanned(planned));
+  return { request, planned };
 }
 
 const ofWork = ({ files, skipMarked }: Wanted["request"]) => ({ ...(files && { files }), ...(skipMarked !== undefined && { skipMarked }) });
@@ -99,7 +114,10 @@ async function work(): Promise<void> {
     atStage("reading");
     try {
       await showFirst(wanted);
-      const made = await outcomeOf(wanted);
+      const planned = await plannedFirst(wanted);
+      // What is typed meanwhile is planned before anything is proved.
+      if (waiting && planned !== wanted) continue;
+      const made = await outcomeOf(planned);
       const outcome = isVeiled() ? (await untilHere(() => import("../course/task/veil.ts"))).veil(made) : made;
       await pauseInTyping();
       if (version > left) {

@@ -18,16 +18,16 @@ interface Made {
   readonly run: Run;
   /** Made of the first blocks of a long text, to be looked at until the whole is there. */
   readonly isBeginning?: boolean;
+  /** What reading and running took in the worker, ms; absent where it was made elsewhere. */
+  readonly pace?: number;
 }
 
 /** What the worker makes of a program text. */
 export interface Outcome extends Made {
   readonly simulation: Simulation;
-  /** What reading and running took in the worker, ms; absent where it was made elsewhere. */
-  readonly pace?: number;
 }
 
-/** What the page has made of a text itself: its path, of which nothing is proved yet. */
+/** What is made of a text first, by the page itself or by the worker: its path, of which nothing is proved yet. */
 export interface Planned extends Made {
   readonly simulation: null;
 }
@@ -45,7 +45,7 @@ export interface OutcomeState {
   readonly newest: Outcome | null;
   /** The newest whole result with a path, or before there is one the newest of all, with its blank. */
   readonly shown: Outcome | null;
-  /** What the page has planned itself, as long as the worker has not proved it; steps and operations of a proof are not those of it. */
+  /** What is planned, as long as it is not proved; steps and operations of the proof before are not those of it. */
   readonly planned: Planned | null;
   /** What the picture shows, and whose steps are the ones that are played: what is planned where that has a path, else what is shown. */
   readonly pictured: Outcome | Planned | null;
@@ -100,8 +100,11 @@ export function takeOutcome(outcome: Outcome): void {
   });
 }
 
-/** Takes in what the page has planned itself. */
-export const takePlanned = (planned: Planned): void => useOutcome.setState((s) => settled({ ...s, planned }));
+/** Takes in what is planned, unless something newer is already there. */
+export const takePlanned = (planned: Planned): void =>
+  useOutcome.setState((s) =>
+    Math.max(s.planned?.version ?? 0, s.newest?.version ?? 0) < planned.version ? settled({ ...s, planned }) : s
+  );
 
 /** Shows the beginning of a program as long as there is nothing else to look at. */
 export function showBeginning(outcome: Outcome): void {

@@ -87,9 +87,14 @@ export function notePace(request: Request, took: number | undefined): void {
 
 const lengthOf = ({ text, files = [] }: Request): number => files.reduce((sum, file) => sum + file.text.length, text.length);
 
+const isQuick = (characters: number): boolean =>
+  paces.length === 0 ? characters <= SHORT : Math.min(...paces.slice(-LAST)) <= MAY_TAKE;
+
 /** Whether a text of a length, with what it can call, is planned on the page. */
-export const plansOnPage = (characters: number): boolean =>
-  plan !== null && (paces.length === 0 ? characters <= SHORT : Math.min(...paces.slice(-LAST)) <= MAY_TAKE);
+export const plansOnPage = (characters: number): boolean => plan !== null && isQuick(characters);
+
+/** Whether planning a request takes so long that its path is to be seen before it is proved. */
+export const plansLong = (request: Request): boolean => !isQuick(lengthOf(request));
 
 /**
  * True where a digit is to be drawn before its path is planned, because two of the last runs took longer than anybody waits for a digit:

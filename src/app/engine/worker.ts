@@ -8,7 +8,7 @@ import type { advice } from "./advice.ts";
 import type { BodiesGiven, BodiesWanted } from "./bodies.ts";
 import { engine, makersAgain } from "./engine.ts";
 import { loadRequestOf, type KnownMilling, type KnownOutcome, type LoadRequest } from "./load-request.ts";
-import type { Outcome, Stage } from "./outcome.ts";
+import type { Outcome, Planned, Stage } from "./outcome.ts";
 import type { PlayedCourse, PlayedOn, StockPictures } from "./played.ts";
 import { provedBeside, type Proved } from "./proved.ts";
 import type { reported } from "./reported.ts";
@@ -42,6 +42,12 @@ function updated(request: Request, tell: (stage: Stage) => void = () => undefine
   return { ...outcome, pace };
 }
 
+/** The run of a request, of which `proved` then sends the proof. */
+function planned(request: Request, tell?: (stage: Stage) => void): Planned {
+  const begun = stopwatch(), made = openWork.planned(request, tell);
+  return { ...made, pace: stopwatch() - begun };
+}
+
 /** The proof of a request whose run the page has, without the marks that it has as well when `has` is the version of the last answer. */
 function proved(request: Request, has: number | null, tell?: (stage: Stage) => void): Proved {
   const before = newest?.version === has ? newest : null;
@@ -61,6 +67,7 @@ const knownMilling = ({ version, motions }: KnownMilling): Outcome | null =>
 const served = {
   ...engine,
   update: updated,
+  planned,
   proved,
   knows: (known: KnownOutcome) => knownRequest(known) !== null,
   pathLoad: async (of: KnownOutcome | LoadRequest) => {
