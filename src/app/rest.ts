@@ -1,11 +1,16 @@
 /** Where a browser cannot tell when it rests, this is waited after the page was shown, ms. */
 const WAIT = 1200;
 
+/** Where something is drawn again and again, so many pictures in a row that leave so much of their time are a rest as well, ms. */
+const CALM = { pictures: 12, leave: 9 } as const;
+
 /** Runs once the browser has nothing else to do, and will have nothing for at least so many ms. Gives the way to call it off. */
 export function atRest(run: () => void, least = 0): () => void {
   if (typeof requestIdleCallback === "function") {
+    let calm = 0;
     const look = (rest: IdleDeadline) => {
-      if (rest.timeRemaining() >= least) run();
+      calm = rest.timeRemaining() >= CALM.leave ? calm + 1 : 0;
+      if (rest.timeRemaining() >= least || calm >= CALM.pictures) run();
       else id = requestIdleCallback(look);
     };
     let id = requestIdleCallback(look);

@@ -102,9 +102,7 @@ export function takeOutcome(outcome: Outcome): void {
 
 /** Takes in what is planned, unless something newer is already there. */
 export const takePlanned = (planned: Planned): void =>
-  useOutcome.setState((s) =>
-    Math.max(s.planned?.version ?? 0, s.newest?.version ?? 0) < planned.version ? settled({ ...s, planned }) : s
-  );
+  useOutcome.setState((s) => Math.max(s.planned?.version ?? 0, s.newest?.version ?? 0) < planned.version ? settled({ ...s, planned }) : s);
 
 /** Shows the beginning of a program as long as there is nothing else to look at. */
 export function showBeginning(outcome: Outcome): void {

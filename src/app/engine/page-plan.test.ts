@@ -1,9 +1,9 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import { fetchPlan, forgetPace, notePace, planNow, plansBehindDigit, plansOnPage } from "./page-plan.ts";
+import { fetchPlan, forgetPace, notePace, planNow, plansBehindDigit, plansLong, plansOnPage, whenRehearsed } from "./page-plan.ts";
 import type { Request } from "./request.ts";
 
 /** What the next run takes, ms, and whether it comes to nothing. */
-const run = vi.hoisted(() => ({ takes: 0, fails: false, now: 0, rehearsed: [] as string[] }));
+const run = vi.hoisted(() => ({ takes: 0, fails: false, now: 0, rehearsed: [] as string[], planned: [] as string[] }));
 vi.mock("../clock.ts", () => ({ stopwatch: () => run.now }));
 vi.mock("../rest.ts", () => ({
   atRest: (begin: () => void) => {
@@ -17,6 +17,7 @@ vi.mock("./plan.ts", () => ({
     run.now += run.takes;
   },
   planner: () => ({ version, text }: Request) => {
+    run.planned.push(text);
     run.now += run.takes;
     if (run.fails) throw new Error("a fault of our own");
     return { version, text, run: {}, simulation: null };
@@ -34,7 +35,7 @@ const requestOf = (text: string, beside = 0): Request => ({
 const plans = (text = "L X+3.5") => planNow(requestOf(text)) !== null;
 
 beforeEach(async () => {
-  Object.assign(run, { takes: 1.3, fails: false, now: 0, rehearsed: [] });
+  Object.assign(run, { takes: 1.3, fails: false, now: 0, rehearsed: [], planned: [] });
   forgetPace();
   fetchPlan();
   await vi.waitFor(() => expect(plansOnPage(17)).toBe(true));
@@ -90,10 +91,29 @@ test("an opened work is planned by and by at rest, once: a first run that was sl
   expect(run.rehearsed).toHaveLength(4);
 });
 
-test("nothing is tried at rest that took long, or is long", () => {
+test("nothing is tried at rest that took long, or is very long", () => {
   notePace(requestOf("L X+3.5\n"), 601.3);
   expect(plans()).toBe(false);
   forgetPace();
-  notePace(requestOf("L X+3.5\n", 20_000), 311.7);
-  expect(run.rehearsed).toEqual([]);
+  notePace(requestOf("L X+3.5\n", 400_000), 311.7);
+  notePace(requestOf("L X+3.5\n", 20_000), 4001);
+  expect([...run.rehearsed, ...run.planned.slice(1)]).toEqual([]);
+});
+
+test("a long text is planned at rest in pieces, with the labels behind it, and on the page from then on", () => {
+  const heard: unknown[] = [], main = "CYCL CALL\n".repeat(2400), labels = "LBL 1\nL X+3.5\nLBL 0\nEND PGM";
+  whenRehearsed((made) => heard.push(made));
+  const request = requestOf(main + labels);
+  expect([plansLong(request), plansOnPage(request.text.length)]).toEqual([true, false]);
+  notePace(request, 1311.4);
+  const pieces = run.planned;
+  expect(pieces.length).toBeGreaterThan(7);
+  expect(pieces.slice(-2)).toEqual([main + labels, main + labels]);
+  for (const [i, piece] of pieces.slice(0, -2).entries()) {
+    expect(piece.endsWith(`CYCL CALL\n${labels}`)).toBe(true);
+    expect(piece.length - (pieces[i - 1]?.length ?? labels.length)).toBeLessThan(3100);
+  }
+  expect([heard, run.rehearsed, plansLong(request), planNow(request) !== null]).toEqual([[{}], [], false, true]);
+  forgetPace();
+  expect(plansLong(request)).toBe(true);
 });

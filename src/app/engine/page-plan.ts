@@ -38,42 +38,63 @@ export const fetchPlan = (): () => void =>
   );
 
 /** The parts of an opened work that are planned at rest, shares of its text, and what each, or the first run of all, may take, ms. */
-const REHEARSED = [0.25, 0.5, 0.75, 1, 1] as const, MAY_BE_TRIED = 600;
+const REHEARSED: readonly number[] = [0.25, 0.5, 0.75, 1, 1], MAY_BE_TRIED = 600;
+/** A longer text is planned in pieces of this length, characters, but none that is longer than that or whose first run took so long, ms. */
+const PIECE = 3000, MOST = 400_000, LONG_MAY_TAKE = 4000;
 /** A rest so long is no pause between two pictures, ms. */
 const LONG_REST = 25;
 let callOff: (() => void) | null = null;
 /** The work that is to be planned at rest. */
 let opened: Request | null = null;
 
+/** True when all of a long text has been planned here: its first run, of which nothing is known, would halt the page. */
+let isKnown = false;
+/** Hears of the run of a long work that was planned at rest: what is made of it can be made before it is wanted. */
+let hear: (run: Planned["run"]) => void = () => undefined;
+export const whenRehearsed = (listener: typeof hear): void => void (hear = listener);
+
 /** Another work has a pace of its own. */
 export const forgetPace = (): void => {
   paces = [];
+  isKnown = false;
   callOff?.();
   callOff = opened = null;
 };
 
+/** A share of a text, and the labels behind it, which what stands before them may call. */
+function shareOf(text: string, share: number): string {
+  const end = text.indexOf("\n", share * (text.length - 1)), labels = text.search(/^\d*\s*LBL\s/mu);
+  return end < 0 ? text : text.slice(0, end + 1) + (labels > end ? text.slice(labels) : "");
+}
+
 /**
  * Plans an opened work by and by while the browser rests, once for a work: browsers run slowly what they run
- * for the first time, and the path of the first key is to come as soon as that of any other. The last time it is remembered.
+ * for the first time, and the path of the first key is to come as soon as that of any other. The last time it is remembered; of a long text
+ * each time, so that no piece takes long.
  */
 function rehearse(request: Request): void {
   opened = request;
-  if (callOff || !planAnew) return;
+  if (callOff || !plan) return;
+  const { text } = request, isLong = lengthOf(request) > SHORT, pieces = Math.ceil(text.length / PIECE);
+  const shares = isLong ? [...Array.from({ length: pieces }, (_, i) => (i + 1) / pieces), 1] : REHEARSED;
   let next = 0;
   const again = () => {
-    const share = REHEARSED[next];
+    const share = shares[next];
     if (share === undefined) return;
     next += 1;
-    const begun = stopwatch(), { text } = request;
+    const begun = stopwatch(), isLast = next === shares.length;
+    let made: Planned | undefined;
     try {
-      const end = text.indexOf("\n", share * (text.length - 1));
-      if (next === REHEARSED.length) plan?.(request);
-      else planAnew?.(end < 0 ? request : { ...request, text: text.slice(0, end + 1) });
+      const part = { ...request, text: shareOf(text, share) };
+      made = isLong || isLast ? plan?.(part) : planAnew?.(part);
     } catch {
       return;
     }
-    if (next === REHEARSED.length) paces = [];
-    if (stopwatch() - begun < MAY_BE_TRIED) callOff = atRest(again, LONG_REST);
+    const took = stopwatch() - begun;
+    if (isLast) paces = isLong ? [took] : [];
+    isKnown = isLong && isLast;
+    if (isKnown && made) callOff = atRest(() => hear(made.run), LONG_REST);
+    else if (took < MAY_BE_TRIED) callOff = atRest(again, LONG_REST);
   };
   callOff = atRest(again, LONG_REST);
 }
@@ -82,13 +103,14 @@ function rehearse(request: Request): void {
 export function notePace(request: Request, took: number | undefined): void {
   if (took === undefined) return;
   note(took);
-  if (took <= MAY_BE_TRIED && lengthOf(request) <= SHORT) rehearse(request);
+  const characters = lengthOf(request);
+  if (characters <= SHORT ? took <= MAY_BE_TRIED : characters <= MOST && took <= LONG_MAY_TAKE) rehearse(request);
 }
 
 const lengthOf = ({ text, files = [] }: Request): number => files.reduce((sum, file) => sum + file.text.length, text.length);
 
 const isQuick = (characters: number): boolean =>
-  paces.length === 0 ? characters <= SHORT : Math.min(...paces.slice(-LAST)) <= MAY_TAKE;
+  (characters <= SHORT || isKnown) && (paces.length === 0 || Math.min(...paces.slice(-LAST)) <= MAY_TAKE);
 
 /** Whether a text of a length, with what it can call, is planned on the page. */
 export const plansOnPage = (characters: number): boolean => plan !== null && isQuick(characters);

@@ -3,6 +3,7 @@ import { markedBy, runningPart, type MoveSpan } from "../../program/path-index.t
 import type { Run } from "../../program/run-types.ts";
 import { MOST_STRETCHES, pathStretches, wholePath, type KnownLines, type PathStretch } from "../../view/passes.ts";
 import type { Shape, TipWays } from "../../view/scene.ts";
+import { whenRehearsed } from "../engine/page-plan.ts";
 import { useSettings } from "../settings/settings.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { usePlayback } from "./use-playback.ts";
@@ -36,6 +37,9 @@ export function stretchesOf(run: Run): Passes {
   known.set(run, made);
   return made;
 }
+
+// Lines of a long work that was planned at rest are there with its first key.
+whenRehearsed(stretchesOf);
 
 /** What the settings show of a run, `all` of whose passes are drawn: new lines only where another call, phase or pass begins. */
 export function useShownPath(run: Run, all: readonly PathStretch[], playback: PlaybackStore): ShownPath {

@@ -8,7 +8,7 @@ const MANY = 150;
 /** What no help picture shows, of the size of the contour. */
 const FINE = 1 / 1200;
 
-/** The contour that a cycle is given, for a help picture: one of very many elements by straight lines, which nobody can tell from it there. */
+/** A contour for a help picture: one of very many elements by straight lines, which nobody can tell from it there. */
 export function coarseContour(contour: Given["contour"]): Given["contour"] {
   if (!contour || contour.length <= MANY) return contour;
   const { left, right, low, high } = boxAround([contour.flatMap((s) => [s.from, s.to])]);

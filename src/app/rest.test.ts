@@ -1,0 +1,24 @@
+import { afterEach, expect, test, vi } from "vitest";
+import { atRest } from "./rest.ts";
+
+afterEach(() => vi.unstubAllGlobals());
+
+/** After how many of these rests, ms, something runs that wants 25 ms of rest; null: it never does. */
+function runsAfter(rests: readonly number[]): number | null {
+  const waiting: IdleRequestCallback[] = [];
+  let ran = false;
+  vi.stubGlobal("requestIdleCallback", (look: IdleRequestCallback) => waiting.push(look));
+  atRest(() => (ran = true), 25);
+  const found = rests.findIndex((rest) => {
+    waiting.shift()?.({ didTimeout: false, timeRemaining: () => rest });
+    return ran;
+  });
+  return found < 0 ? null : found + 1;
+}
+
+test("a long rest is waited for, or many pictures in a row that take little", () => {
+  expect(runsAfter([3.1, 14.2, 41.7])).toBe(3);
+  expect(runsAfter(Array(40).fill(12.3))).toBe(12);
+  expect(runsAfter(Array.from({ length: 40 }, (_, i) => (i % 10 === 9 ? 2.2 : 13.1)))).toBeNull();
+  expect(runsAfter(Array(40).fill(6.4))).toBeNull();
+});
