@@ -1,3 +1,4 @@
+import { hypotenuse } from "../kernel/geometry/vectors.ts";
 import { partPoint, plane, type PlanePoint, type PlaneSegment } from "../kernel/plane.ts";
 import { ROUND } from "../kernel/tolerance.ts";
 import type { Machine } from "./machine.ts";
@@ -16,7 +17,7 @@ const NO_TIP: PlanePoint = { x: 0, y: 0 };
 
 function travelLength(s: PlaneSegment, dz: number): number {
   const flat = s.kind === "line" ? apart(s.from, s.to) : sweepOf(s) * apart(s.from, s.centre);
-  return Math.hypot(flat, dz);
+  return hypotenuse(flat, dz);
 }
 
 /** Adds one motion of the mill. */

@@ -8,7 +8,7 @@ export interface Axes<P> {
   readonly point: (x: number, y: number) => P;
 }
 
-/** The length of a step. What engines have for it takes care of numbers near the ends of their range, at twenty times the price. */
+/** The length of a step. What engines have for it takes care of numbers near the ends of their range, for a tenth of what a plan takes. */
 export const hypotenuse = (dx: number, dy: number): number => Math.sqrt(dx * dx + dy * dy);
 
 export type Vectors<P> = ReturnType<typeof vectorsOf<P>>;
