@@ -2,7 +2,7 @@
 const WAIT = 1200;
 
 /** Where something is drawn again and again, so many pictures in a row that leave so much of their time are a rest as well, ms. */
-const CALM = { pictures: 12, leave: 9 } as const;
+const CALM = { pictures: 8, leave: 6 } as const;
 
 /** Runs once the browser has nothing else to do, and will have nothing for at least so many ms. Gives the way to call it off. */
 export function atRest(run: () => void, least = 0): () => void {

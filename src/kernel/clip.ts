@@ -1,5 +1,5 @@
-import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, pointInPolygon, PointInPolygonResult,
-  ramerDouglasPeucker, simplifyPaths, type Path64 } from "clipper2-ts";
+import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, pointInPolygon, PointInPolygonResult, simplifyPaths,
+  type Path64 } from "clipper2-ts";
 import { areaOfRing } from "./area.ts";
 import type { Pt, Ring } from "./point.ts";
 import { CHORD, GRID } from "./tolerance.ts";
@@ -94,7 +94,7 @@ export const simplified = (area: readonly Ring[], within: number): Ring[] => rin
 
 /** The same for an open line of points, whose ends stay. */
 export const coarsened = (line: readonly Pt[], within: number): Pt[] =>
-  ramerDouglasPeucker(line.map((p) => ({ x: toGrid(p.z), y: toGrid(p.r) })), within * UNITS).map(({ x, y }) => point(x, y));
+  simplifyPaths([line.map((p) => ({ x: toGrid(p.z), y: toGrid(p.r) }))], within * UNITS, false).flat().map(({ x, y }) => point(x, y));
 
 /** Without what is thinner than `width` mm; kept areas stay as they are, but for corners rounded by half that width. */
 export const opened = (area: readonly Ring[], width: number): Ring[] => offset(offset(area, -width / 2), width / 2);

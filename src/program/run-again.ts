@@ -1,3 +1,4 @@
+import { never } from "../kernel/never.ts";
 import type { Block, Program } from "../nc/program.ts";
 import type { Statement } from "../nc/statement.ts";
 import { Machine } from "./machine.ts";
@@ -105,13 +106,22 @@ function common(
   return { passed: passed.filter(({ moment }) => moment.executed < first), first: changed[0] ?? null };
 }
 
+/** Runs a program whose run before is known. `beside`: all that `shop.files` finds, as text. */
+interface Runner {
+  (program: Program, shop: Shop, beside: Beside): Run;
+  /** The same, or null when `goesOn` has said no on the way: the next run of the same program goes on from there. */
+  readonly part: (program: Program, shop: Shop, beside: Beside, goesOn: () => boolean) => Run | null;
+}
+
+const STOPPED = new Error("the rest of the program is run another time");
+
 /**
  * Runs one state of a program after the other: what it comes to before it looks at a block that is another one than in the run before
- * is not run again. What comes is the same as of `run`. `beside`: all that `shop.files` finds, as text.
+ * is not run again. What comes is the same as of `run`.
  */
-export function runningAgain(): (program: Program, shop: Shop, beside: Beside) => Run {
+export function runningAgain(): Runner {
   let former: Former | null = null;
-  return (program, shop, beside) => {
+  const part: Runner["part"] = (program, shop, beside, goesOn) => {
     const same = former && common(former, program, shop, beside);
     const passed = [...(same?.passed ?? [])], last = passed.at(-1);
     const machine = new Machine(program, shop, former && last ? { machine: former.machine, at: last.moment } : undefined);
@@ -122,10 +132,20 @@ export function runningAgain(): (program: Program, shop: Shop, beside: Beside) =
       const isDue = kind !== undefined && NOTED.has(kind) && next >= (passed.at(-1)?.next ?? 0) + apart;
       if (!isDue && next !== same?.first) return;
       const moment = passing(machine);
-      if (moment && passed.at(-1)?.next !== next) passed.push({ next, moment });
+      if (!moment || passed.at(-1)?.next === next) return;
+      passed.push({ next, moment });
+      if (!goesOn()) throw STOPPED;
     };
-    const made = runToEnd(machine, { from: last?.next ?? 0, watch });
+    let made: Run | null = null;
+    try {
+      made = runToEnd(machine, { from: last?.next ?? 0, watch });
+    } catch (error) {
+      if (error !== STOPPED) throw error;
+    }
     former = { machine, beside, passed };
     return made;
   };
+  const whole = (program: Program, shop: Shop, beside: Beside) =>
+    part(program, shop, beside, () => true) ?? never("a run without an end", program);
+  return Object.assign(whole, { part });
 }

@@ -25,7 +25,7 @@ export type Called = Pick<Operation, "cycle" | "tool" | "feedUnit" | "call">;
 
 /** What an outcome is made by. */
 interface Makers {
-  readonly planned: ReturnType<typeof planner>;
+  readonly planned: typeof planned;
   readonly simulate: typeof simulate;
 }
 const FRESH: Makers = { planned, simulate };

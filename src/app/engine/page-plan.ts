@@ -2,6 +2,7 @@ import { stopwatch } from "../clock.ts";
 import { untilHere } from "../parts.ts";
 import { atRest } from "../rest.ts";
 import type { Planned } from "./outcome.ts";
+import type { planner } from "./plan.ts";
 import type { Request } from "./request.ts";
 
 /*
@@ -15,7 +16,7 @@ const MAY_TAKE = 60;
 const SHORT = 20_000;
 
 /** What plans: fetched when nothing else is to be done, because until it is here the worker does it as well. */
-let plan: ((request: Request) => Planned) | null = null;
+let plan: ReturnType<typeof planner> | null = null;
 /** The same without a memory: what it takes is what a program takes of which nothing is known. */
 let planAnew: ((request: Request) => Planned) | null = null;
 /** What the last runs of the open work took, on the page or in the worker, ms. The quickest counts: others had to wait for something. */
@@ -38,16 +39,16 @@ export const fetchPlan = (): () => void =>
   );
 
 /** The parts of an opened work that are planned at rest, shares of its text, and what each, or the first run of all, may take, ms. */
-const REHEARSED: readonly number[] = [0.25, 0.5, 0.75, 1, 1], MAY_BE_TRIED = 600;
-/** A longer text is planned in pieces of this length, characters, but none that is longer than that or whose first run took so long, ms. */
-const PIECE = 3000, MOST = 400_000, LONG_MAY_TAKE = 4000;
+const REHEARSED = [0.25, 0.5, 0.75, 1, 1] as const, MAY_BE_TRIED = 600;
+/** Of a longer text so much is planned at a time, ms; but nothing of one whose first run took so long, ms, or with so many characters. */
+const BIT = 6, LONG_MAY_TAKE = 4000, MOST = 400_000;
 /** A rest so long is no pause between two pictures, ms. */
 const LONG_REST = 25;
 let callOff: (() => void) | null = null;
 /** The work that is to be planned at rest. */
 let opened: Request | null = null;
 
-/** True when all of a long text has been planned here: its first run, of which nothing is known, would halt the page. */
+/** True when a long text has been planned here at rest, or its first run was quick: one of which nothing is known could halt the page. */
 let isKnown = false;
 /** Hears of the run of a long work that was planned at rest: what is made of it can be made before it is wanted. */
 let hear: (run: Planned["run"]) => void = () => undefined;
@@ -61,47 +62,53 @@ export const forgetPace = (): void => {
   callOff = opened = null;
 };
 
-/** A share of a text, and the labels behind it, which what stands before them may call. */
-function shareOf(text: string, share: number): string {
-  const end = text.indexOf("\n", share * (text.length - 1)), labels = text.search(/^\d*\s*LBL\s/mu);
-  return end < 0 ? text : text.slice(0, end + 1) + (labels > end ? text.slice(labels) : "");
-}
-
 /**
  * Plans an opened work by and by while the browser rests, once for a work: browsers run slowly what they run
- * for the first time, and the path of the first key is to come as soon as that of any other. The last time it is remembered; of a long text
- * each time, so that no piece takes long.
+ * for the first time, and the path of the first key is to come as soon as that of any other. The last time it is remembered.
  */
 function rehearse(request: Request): void {
   opened = request;
   if (callOff || !plan) return;
-  const { text } = request, isLong = lengthOf(request) > SHORT, pieces = Math.ceil(text.length / PIECE);
-  const shares = isLong ? [...Array.from({ length: pieces }, (_, i) => (i + 1) / pieces), 1] : REHEARSED;
-  let next = 0;
-  const again = () => {
-    const share = shares[next];
-    if (share === undefined) return;
-    next += 1;
-    const begun = stopwatch(), isLast = next === shares.length;
-    let made: Planned | undefined;
-    try {
-      const part = { ...request, text: shareOf(text, share) };
-      made = isLong || isLast ? plan?.(part) : planAnew?.(part);
-    } catch {
-      return;
-    }
-    const took = stopwatch() - begun;
-    if (isLast) paces = isLong ? [took] : [];
-    isKnown = isLong && isLast;
-    if (isKnown && made) callOff = atRest(() => hear(made.run), LONG_REST);
-    else if (took < MAY_BE_TRIED) callOff = atRest(again, LONG_REST);
-  };
-  callOff = atRest(again, LONG_REST);
+  const isLong = !isKnown && lengthOf(request) > SHORT;
+  callOff = atRest(isLong ? () => planBits(request) : () => planShare(request, 0), LONG_REST);
+}
+
+function planShare(request: Request, which: number): void {
+  const share = REHEARSED[which];
+  if (share === undefined) return;
+  const begun = stopwatch(), { text } = request, isLast = which === REHEARSED.length - 1;
+  try {
+    const end = text.indexOf("\n", share * (text.length - 1));
+    if (isLast) plan?.(request);
+    else planAnew?.(end < 0 ? request : { ...request, text: text.slice(0, end + 1) });
+  } catch {
+    return;
+  }
+  if (isLast) paces = [];
+  if (stopwatch() - begun < MAY_BE_TRIED) callOff = atRest(() => planShare(request, which + 1), LONG_REST);
+}
+
+/** Plans a bit of a long text, and the next one at the next rest: no part of it takes long. */
+function planBits(request: Request): void {
+  const begun = stopwatch();
+  let made: Planned | null | undefined;
+  try {
+    made = plan?.part(request, () => stopwatch() - begun < BIT);
+  } catch {
+    return;
+  }
+  if (!made) callOff = atRest(() => planBits(request), LONG_REST);
+  else {
+    const all = made.run;
+    [isKnown, paces] = [true, []];
+    callOff = atRest(() => hear(all), LONG_REST);
+  }
 }
 
 /** What reading and running took in the worker, ms; absent where it was not told. */
 export function notePace(request: Request, took: number | undefined): void {
   if (took === undefined) return;
+  isKnown ||= paces.length === 0 && took <= MAY_TAKE;
   note(took);
   const characters = lengthOf(request);
   if (characters <= SHORT ? took <= MAY_BE_TRIED : characters <= MOST && took <= LONG_MAY_TAKE) rehearse(request);
@@ -109,8 +116,11 @@ export function notePace(request: Request, took: number | undefined): void {
 
 const lengthOf = ({ text, files = [] }: Request): number => files.reduce((sum, file) => sum + file.text.length, text.length);
 
-const isQuick = (characters: number): boolean =>
-  (characters <= SHORT || isKnown) && (paces.length === 0 || Math.min(...paces.slice(-LAST)) <= MAY_TAKE);
+/** Of what nothing is known here all of the last runs have to be quick, of what was slow once any of them. */
+function isQuick(characters: number): boolean {
+  const isFamiliar = characters <= SHORT || isKnown, quick = paces.slice(-LAST).filter((took) => took <= MAY_TAKE).length;
+  return paces.length === 0 ? isFamiliar : quick >= (isFamiliar ? 1 : LAST);
+}
 
 /** Whether a text of a length, with what it can call, is planned on the page. */
 export const plansOnPage = (characters: number): boolean => plan !== null && isQuick(characters);

@@ -106,6 +106,27 @@ test("typed digit by digit any program is planned as it is when it is planned an
   }), { numRuns: 150 });
 }, 60_000);
 
+test("planned bit by bit any program is planned as it is in one piece, and a long one in many bits", () => {
+  const bitsOf = (text: string) => {
+    const plan = planner(), request = requestOf(text);
+    for (let bits = 1;; bits += 1) {
+      const made = plan.part(request, () => false);
+      if (!made) continue;
+      expect(made).toEqual(planned(request));
+      expect(plan(request)).toEqual(made);
+      return bits;
+    }
+  };
+  const bits = all.map(bitsOf);
+  expect(bits.filter((count) => count > 3).length).toBeGreaterThan(10);
+  expect(bitsOf(program("shaft.h"))).toBeGreaterThan(8);
+  // A change in between is planned as well.
+  const plan = planner(), text = program("shaft.h");
+  for (let bit = 0; bit < 5; bit += 1) expect(plan.part(requestOf(text), () => false)).toBeNull();
+  const other = requestOf(changed(text, 97, 0.313));
+  expect(plan(other)).toEqual(planned(other));
+}, 60_000);
+
 test("what a change leaves as it is is not planned again", () => {
   const plan = planner();
   const text = program("turn-blank.h");

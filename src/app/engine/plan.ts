@@ -1,6 +1,8 @@
 import { parse } from "../../nc/parse.ts";
 import type { Program } from "../../nc/program.ts";
 import { readingAgain } from "../../nc/reread.ts";
+import { never } from "../../kernel/never.ts";
+import type { Run } from "../../program/run-types.ts";
 import type { Shop } from "../../program/shop.ts";
 import { planMemory } from "../../program/plan-memory.ts";
 import { filesByName } from "../../program/program-files.ts";
@@ -11,18 +13,22 @@ import { tracingAgain } from "../../sim/tracing-again.ts";
 import type { Planned, Stage } from "./outcome.ts";
 import type { Request } from "./request.ts";
 
-/** What reads and runs, and what may be known of runs before. */
+/** What reads, and what may be known of runs before. */
 interface By extends Pick<Shop, "tracing" | "memory"> {
   readonly read: (text: string) => Program;
-  readonly run: ReturnType<typeof runningAgain>;
 }
-const FRESH: By = { tracing, read: parse, run };
+const FRESH: By = { tracing, read: parse };
 
-/** From the program text to its moves: what the page and the worker do alike. `atStage` is told what it begins. */
-export function planned(request: Request, atStage: (stage: Stage) => void = () => undefined, by = FRESH): Planned {
+/** Reads a request and runs it; a run that does not come to its end is none. */
+function planBy(
+  request: Request,
+  atStage: (stage: Stage) => void,
+  { read, ...known }: By,
+  runs: (program: Program, shop: Shop, beside: NonNullable<Request["files"]>) => Run | null,
+): Planned | null {
   const { version, text, name, files = [], skipMarked = false, table, rapid, control } = request;
   atStage("reading");
-  const { read, run: runs, ...known } = by, program = read(text);
+  const program = read(text);
   atStage("running");
   const beside = filesByName(name === undefined ? files : [{ name, text }, ...files], parse);
   const taken = new Set([program]);
@@ -33,18 +39,37 @@ export function planned(request: Request, atStage: (stage: Stage) => void = () =
   };
   const made = runs(program, { ...table, rapid, control, files: { find }, skipMarked, ...known }, files);
   const marked = [...taken].some(({ blocks }) => blocks.some(({ skip }) => skip));
-  return { version, text, marked, run: made, simulation: null };
+  return made && { version, text, marked, run: made, simulation: null };
+}
+
+const silent = () => undefined;
+
+/** From the program text to its moves: what the page and the worker do alike. `atStage` is told what it begins. */
+export const planned = (request: Request, atStage: (stage: Stage) => void = silent): Planned =>
+  planBy(request, atStage, FRESH, run) ?? never("a run without an end", request);
+
+/** Plans one state of a work after the other. */
+interface Planner {
+  (request: Request, atStage?: (stage: Stage) => void): Planned;
+  /** Plans a bit of a request more, as long as `goesOn` says so where it can be left; null while it has not come to its end. */
+  readonly part: (request: Request, goesOn: () => boolean) => Planned | null;
 }
 
 /**
- * Plans one state of a work after the other: blocks that stay the same are not read again, what comes before the first that is another is
+ * Begins to plan a work: blocks that stay the same are not read again, what comes before the first that is another is
  * not run again, and cycles that stay the same are not planned again. What comes is the same as of `planned`.
  */
-export function planner(): (request: Request, atStage?: (stage: Stage) => void) => Planned {
+export function planner(): Planner {
   const [memory, traced, read, runs] = [planMemory(), tracingAgain(), readingAgain(), runningAgain()];
-  return (request, atStage) => {
+  const next = (): By => {
     memory.next();
     traced.next();
-    return planned(request, atStage, { memory, tracing: traced.tracing, read, run: runs });
+    return { memory, tracing: traced.tracing, read };
   };
+  const whole = (request: Request, atStage: (stage: Stage) => void = silent) =>
+    planBy(request, atStage, next(), runs) ?? never("a run without an end", request);
+  return Object.assign(whole, {
+    part: (request: Request, goesOn: () => boolean) =>
+      planBy(request, silent, next(), (program, shop, beside) => runs.part(program, shop, beside, goesOn)),
+  });
 }
