@@ -114,10 +114,10 @@ async function work(): Promise<void> {
     atStage("reading");
     try {
       await showFirst(wanted);
-      const planned = await plannedFirst(wanted);
+      const ready = await plannedFirst(wanted);
       // What is typed meanwhile is planned before anything is proved.
-      if (waiting && planned !== wanted) continue;
-      const made = await outcomeOf(planned);
+      if (waiting && ready !== wanted) continue;
+      const made = await outcomeOf(ready);
       const outcome = isVeiled() ? (await untilHere(() => import("../course/task/veil.ts"))).veil(made) : made;
       await pauseInTyping();
       if (version > left) {

@@ -7,7 +7,7 @@ import type { Request } from "./request.ts";
 
 /*
  * The page plans what is quickly planned: path, contour and passes are drawn in the frame of the keystroke, and the worker proves them.
- * What takes longer is left to the worker altogether.
+ * What takes longer is planned by the worker as well.
  */
 
 /** What reading and running may take on the page, ms: most take a tenth of that; the way through the worker takes several times as long. */
@@ -116,7 +116,7 @@ export function notePace(request: Request, took: number | undefined): void {
 
 const lengthOf = ({ text, files = [] }: Request): number => files.reduce((sum, file) => sum + file.text.length, text.length);
 
-/** Of what nothing is known here all of the last runs have to be quick, of what was slow once any of them. */
+/** Of a long text that is not known here all of the last runs have to be quick, of any other text one of them. */
 function isQuick(characters: number): boolean {
   const isFamiliar = characters <= SHORT || isKnown, quick = paces.slice(-LAST).filter((took) => took <= MAY_TAKE).length;
   return paces.length === 0 ? isFamiliar : quick >= (isFamiliar ? 1 : LAST);

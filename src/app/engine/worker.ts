@@ -30,6 +30,13 @@ const knownRequest = ({ version, moves }: KnownOutcome): LoadRequest | null =>
   newest?.version === version && newest.run.steps.length === moves ? loadRequestOf(newest) : null;
 const requestOf = (of: KnownOutcome | LoadRequest) => ("moves" in of ? knownRequest(of) : of);
 
+/** The run that was sent last, before its proof: it is not made twice. */
+let ahead: Planned | null = null;
+const makersOf = ({ version }: Request): typeof openWork => {
+  const made = ahead?.version === version ? ahead : null;
+  return made ? { ...openWork, planned: () => made } : openWork;
+};
+
 /** The result with what its run took. */
 function updated(request: Request, tell: (stage: Stage) => void = () => undefined): Outcome {
   const begun = stopwatch();
@@ -37,15 +44,16 @@ function updated(request: Request, tell: (stage: Stage) => void = () => undefine
   const outcome = engine.update(request, (stage) => {
     if (stage === "proving") pace = stopwatch() - begun;
     tell(stage);
-  }, request.version > 0 ? openWork : undefined);
+  }, request.version > 0 ? makersOf(request) : undefined);
   if (outcome.version > 0) newest = outcome;
   return { ...outcome, pace };
 }
 
 /** The run of a request, of which `proved` then sends the proof. */
 function planned(request: Request, tell?: (stage: Stage) => void): Planned {
-  const begun = stopwatch(), made = openWork.planned(request, tell);
-  return { ...made, pace: stopwatch() - begun };
+  const begun = stopwatch();
+  ahead = openWork.planned(request, tell);
+  return { ...ahead, pace: stopwatch() - begun };
 }
 
 /** The proof of a request whose run the page has, without the marks that it has as well when `has` is the version of the last answer. */
