@@ -74,7 +74,8 @@ function betweenContours(box: Box, operation: SimulatedOperation, acting: Reason
 
 /**
  * Why a region stays that the deepest path of an operation can not take. The stretches of that path against which the
- * region lies decide, the longest first; where all of them lie on the contour, it is what the insert leaves between two.
+ * region lies decide, the longest first; where all of them lie on the contour, it is what the insert leaves between two,
+ * and where it lies against none of them, the nearest.
  */
 export function reasonFor(ring: Ring, operation: SimulatedOperation, outlines: Outlines): Reason {
   const reach = operation.plan.reach;
@@ -84,17 +85,20 @@ export function reasonFor(ring: Ring, operation: SimulatedOperation, outlines: O
   const length = new Map<Reason, number>();
   let [nearest, nearestReason]: [number, Reason | null] = [Infinity, null];
   let [acting, actingAt]: [Reason | null, number] = [null, Infinity];
+  let besideContour = false;
   for (const { path, reason } of reach) {
     for (const swept of sweepAlong(outlines.insert, path)) {
       const box = boxOf(swept);
       const gap = gapBetween(around, box);
       if (gap < nearest) [nearest, nearestReason] = [gap, reason];
       if (reason && gap < actingAt) [acting, actingAt] = [reason, gap];
-      if (gap > AGAINST || !reason) continue;
-      for (const s of samples) if (against(swept, box, s)) length.set(reason, (length.get(reason) ?? 0) + s.weight);
+      if (gap > AGAINST) continue;
+      if (!reason) besideContour ||= samples.some((s) => against(swept, box, s));
+      else for (const s of samples) if (against(swept, box, s)) length.set(reason, (length.get(reason) ?? 0) + s.weight);
     }
   }
   const longest = [...length].sort((a, b) => b[1] - a[1])[0];
   if (longest) return longest[0];
-  return (nearest > AGAINST ? nearestReason : null) ?? betweenContours(around, operation, acting);
+  if (besideContour) return betweenContours(around, operation, acting);
+  return (nearest > AGAINST ? nearestReason : acting) ?? betweenContours(around, operation, acting);
 }
