@@ -34,10 +34,16 @@ const placeOn = ({ along, out }: Open) => (on: number, up: number): Pt =>
 function drawing(site: Site) {
   const place = placeOn(site);
   const elements: ContourElement[] = [];
+  let top = 0;
   return {
     place,
     elements,
-    line: (on: number, up: number) => void elements.push({ kind: "line", to: place(on, up) }),
+    /** How far up the lines have come. */
+    top: () => top,
+    line: (on: number, up: number) => {
+      top = Math.max(top, up);
+      elements.push({ kind: "line", to: place(on, up) });
+    },
     arc: (on: number, up: number, radius: number, isHill: boolean) =>
       void elements.push({
         kind: "radius",
@@ -75,10 +81,11 @@ function begun({ line }: Drawing, site: Site, chamfer: number): [on: number, up:
   return [edge + lean, 0];
 }
 
-function ended({ line }: Drawing, site: Site, on: number, up: number): void {
+/** The last wall of a shape, which is its highest: the blank over the end of a lower one belongs to no contour. */
+function ended({ line, top }: Drawing, site: Site, on: number, up: number): void {
   line(on, up);
   const { lean, edge } = CLOSED;
-  if (!site.closed) return line(on, Math.max(up, 0) + 5);
+  if (!site.closed) return line(on, Math.max(top() + 2, up + 5));
   line(on + lean, heights(site).wall);
   line(on + lean + edge, heights(site).wall);
 }

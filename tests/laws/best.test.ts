@@ -63,7 +63,7 @@ function worked(shape: Shape, { number, T, ...site }: Row, values: Readonly<Reco
   const s: Situation = {
     values: Object.fromEntries(Object.keys(cycle.params).map((q) => [q, asked[q] as number])),
     given: { contour: built.segments, start },
-    tool: { ...shippedTools.find((tool) => tool.T === T) as Tool, ...(site.closed && { CUTLENGTH: 60 as Tool["CUTLENGTH"] }) } as Tool,
+    tool: { ...shippedTools.find((tool) => tool.T === T) as Tool, ...(site.closed && { CUTLENGTH: 90 as Tool["CUTLENGTH"] }) } as Tool,
     start,
     blank: [[place(begin, top), place(end, top), place(end, deep), place(begin, deep)]],
   };
