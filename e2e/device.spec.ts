@@ -1,11 +1,11 @@
 import { readFile } from "node:fs/promises";
-import type { Page } from "@playwright/test";
+import type { Locator, Page } from "@playwright/test";
 import { device as t } from "../src/i18n/en/device.ts";
 import { accessible, looksRightInBoth } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-const button = (page: Page, name: string) => page.getByRole("button", { name, exact: true });
+const button = (within: Page | Locator, name: string) => within.getByRole("button", { name, exact: true });
 
 /** What a press hands to the downloads: its name and its bytes. */
 async function downloaded(page: Page, press: () => Promise<void>) {
@@ -72,6 +72,11 @@ test("all works by keyboard: sought, called otherwise, doubled, deleted and brou
 test("everything as one file comes back on another device, and nothing there is written over", async ({ page, browser }) => {
   const turnwise = await twoWorks(page);
   await turnwise.settings.open();
+  // What is kept on the device is counted and listed by and by: the way out stays where it was pressed.
+  const close = button(turnwise.settings.dialog, turnwise.t.page.close);
+  const before = await close.boundingBox();
+  await expect(turnwise.settings.saveAll).toBeVisible();
+  expect(await close.boundingBox()).toEqual(before);
   await turnwise.settings.dialog.getByRole("combobox", { name: turnwise.t.page.theme }).selectOption("dark");
   const file = await downloaded(page, () => button(page, t.here.exportLong).click());
   expect(file.name).toMatch(/^turnwise-\d{4}-\d\d-\d\d\.zip$/);

@@ -15,7 +15,7 @@ import { kindOf } from "./block-kind.ts";
 import { Palette } from "./Palette.tsx";
 import { countsInches } from "./block-prompts.ts";
 import { setBlockPrompt, setBlockPrompts, useOpenBlock } from "./open-block.ts";
-import { editProgram, openBlock, useSession } from "./session.ts";
+import { editProgram, ofText, openBlock, useSession } from "./session.ts";
 
 /** What a cycle is called on the screen; null for one that nobody here knows. */
 function nameOf(t: Texts, cycle: number, own: OwnBlock | null): string | null {
@@ -27,12 +27,14 @@ function nameOf(t: Texts, cycle: number, own: OwnBlock | null): string | null {
 export function BlockPanel() {
   const t = useTexts();
   const { reading: { program }, index } = useSession();
+  const isOpen = useSession(ofText);
   const { read, own, problems } = useOpenBlock();
   const [choosing, choose] = useState(false);
   const panel = useRef<HTMLDivElement>(null);
   const block = program.blocks[index];
   const last = program.blocks.length - 1;
 
+  if (!isOpen) return null;
   if (choosing || !block) {
     return (
       <div className="block-panel">

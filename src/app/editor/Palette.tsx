@@ -26,8 +26,10 @@ export function Palette({ index, done }: Props) {
   const program = useSession((s) => s.reading.program);
   const box = useRef<HTMLDivElement>(null);
   const [cycles, showCycles] = useState(false);
+  // It takes the place of what was pressed; whoever is typing elsewhere goes on there.
   useEffect(() => {
-    if (!cycles) box.current?.querySelector<HTMLElement>("button")?.focus({ preventScroll: true });
+    if (!cycles && document.activeElement === document.body)
+      box.current?.querySelector<HTMLElement>("button")?.focus({ preventScroll: true });
   }, [cycles]);
 
   const put = (statement: Statement) => {

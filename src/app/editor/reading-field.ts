@@ -73,3 +73,9 @@ const PARAMETER_LINE = new RegExp(String.raw`^\s*(${NUMBER_PARAMETER})\s*[=+\-\d
 export function parameterAt(state: EditorState, offset: number): string | null {
   return PARAMETER_LINE.exec(state.doc.lineAt(offset).text)?.[1]?.toUpperCase() ?? null;
 }
+
+/** Offset of a Q parameter that has a line of its own in a block; the beginning of the block where it has none. */
+export function placeOf(state: EditorState, block: { readonly from: number; readonly to: number }, parameter: string): number {
+  const line = new RegExp(String.raw`(?:^|[\r\n])[^\S\r\n]*(${parameter})\s*[=+\-\d]`, "i").exec(state.sliceDoc(block.from, block.to));
+  return line ? block.from + line.index + line[0].search(/Q/i) : block.from;
+}

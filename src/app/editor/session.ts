@@ -17,7 +17,7 @@ import { forgetHalf, watchText } from "./half-typed.ts";
 import { fileText, heldAs, type HeldText as Text } from "./held-text.ts";
 import { withHistory, writtenState } from "./kept-text.ts";
 import { lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
-import { blockRange, cursorBlock, isRead, parameterAt, readFurther, readingField } from "./reading-field.ts";
+import { blockRange, cursorBlock, isRead, parameterAt, placeOf, readFurther, readingField } from "./reading-field.ts";
 import { createTextView, type TextUpdate, type TextView } from "./text-view.ts";
 import { onShown, shownFile, showFile } from "../files/shown-file.ts";
 import { heldWhileTyping } from "../typing.ts";
@@ -39,6 +39,9 @@ export interface Session {
 
 const none: Session = { reading: readingOf(""), index: -1, parameter: null, opened: 0, pointed: 0, put: 0 };
 export const useSession = heldWhileTyping<Session>(() => none);
+
+/** Whether the blocks are those of a text: before one is opened there are none, which is no empty program. */
+export const ofText = ({ reading }: Session): boolean => reading !== none.reading;
 
 /** Rest after typing before panels follow, and before a text of this many blocks is calculated and kept, ms. */
 const PANELS_REST = 80, REST = 150, LONG_REST = 700;
@@ -285,13 +288,7 @@ export function openBlock(index: number, parameter: string | null = null, byDial
   if (!view || !open) return;
   const range = blockRange(open.state, index);
   if (!range) return;
-  let at = range.from;
-  if (parameter !== null) {
-    const line = new RegExp(String.raw`(?:^|[\r\n])[^\S\r\n]*(${parameter})\s*[=+\-\d]`, "i").exec(
-      open.state.sliceDoc(range.from, range.to),
-    );
-    if (line) at = range.from + line.index + line[0].search(/Q/i);
-  }
+  const at = parameter === null ? range.from : placeOf(open.state, range, parameter);
   view.get().dispatch({
     selection: { anchor: at },
     effects: EditorView.scrollIntoView(at, { y: "nearest", yMargin: 60 }),

@@ -13,16 +13,23 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
   const dialog = useRef<HTMLDialogElement>(null);
   const t = useFirstTexts().page;
   const settings = useSettings();
-  useLayoutEffect(() => dialog.current?.showModal(), []);
+  const first = useRef<HTMLSelectElement>(null);
+  useLayoutEffect(() => {
+    dialog.current?.showModal();
+    first.current?.focus();
+  }, []);
   return (
     <dialog ref={dialog} className="settings" aria-label={t.settings} onClose={onClose}
       onClick={(e) => e.target === e.currentTarget && dialog.current?.close()}
     >
       <form method="dialog">
-        <h2>{t.settings}</h2>
+        <div className="settings-head">
+          <h2>{t.settings}</h2>
+          <button type="submit" className="button primary">{t.close}</button>
+        </div>
         <label>
           <span>{t.screenLanguage}</span>
-          <select className="select" value={settings.language}
+          <select ref={first} className="select" value={settings.language}
             onChange={(e) => isLanguage(e.target.value) && void changeLanguage(e.target.value)}
           >
             {LANGUAGES.map((language) => <option key={language} value={language} lang={language}>{LANGUAGE_NAMES[language]}</option>)}
@@ -79,7 +86,6 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
         <Suspense>
           <OfflineState />
         </Suspense>
-        <button type="submit" className="button primary">{t.close}</button>
       </form>
     </dialog>
   );
