@@ -19,16 +19,20 @@ function roughed(cycle: Cycle, s: Situation, blank: readonly Ring[], leavesOutAi
 }
 const same = (a: readonly Ring[], b: readonly Ring[]) => areaOutside(a, b) + areaOutside(b, a);
 
-/** Roughs a blank in full and without air cuts, and gives back what stands then and how many passes each took. */
+/**
+ * Roughs a blank in full and without air cuts, and gives back what stands then. An insert may reach across
+ * the axis in passes through the air alone: roughing in full is refused then, and there is nothing to compare.
+ */
 function bothWays(cycle: Cycle, s: Situation, blank: readonly Ring[]) {
   const [full, short] = [roughed(cycle, s, blank, false), roughed(cycle, s, blank, true)];
+  if (full.plan.issues.some((i) => i.code === "insertAcrossAxis")) return blank;
   expect(same(full.simulation.final, short.simulation.final)).toBeLessThan(0.05);
   expect(short.simulation.proof.gouge).toBe(0);
   if (!startsBadly(full.plan) && full.simulation.proof.rapidInStock === 0) expect(short.simulation.proof.rapidInStock).toBe(0);
   expect(short.plan.passes).toBeLessThanOrEqual(full.plan.passes);
   const counted = new Set(short.plan.moves.flatMap((m) => m.pass ?? []));
   expect([...counted].sort((a, b) => a - b)).toEqual(Array.from({ length: counted.size }, (_, i) => i + 1));
-  return { final: full.simulation.final, full: full.plan.passes, short: short.plan.passes };
+  return full.simulation.final;
 }
 
 /** Groups that rough by levels. */
@@ -37,8 +41,7 @@ const LEVELLED: readonly string[] = ["longitudinal", "transverse"];
 describe.each(situations(1).filter(({ cycle }) => LEVELLED.includes(cycle.group)))("cycle $cycle.number", ({ cycle, arbitrary }) => {
   test("cuts the same without its cuts in the air, and again in what it has left", () => {
     fc.assert(fc.property(arbitrary, (s) => {
-      const first = bothWays(cycle, s, s.blank);
-      bothWays(cycle, s, first.final);
+      bothWays(cycle, s, bothWays(cycle, s, s.blank));
     }), { numRuns: casesOf(cycle, CASES) });
   });
 });

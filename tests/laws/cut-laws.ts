@@ -135,9 +135,13 @@ const nothingReachableStays: CutLaw = ({ plans: [plan], situation: { values }, s
   return left ? `${mm2(left.area)} stay that the tool could reach` : null;
 };
 
-/** Roughing alone keeps the oversize: nothing of the part grown by it is cut. A rectangle holds the part moved to each of its corners. */
+/**
+ * Roughing alone keeps the oversize: nothing of the part grown by it is cut. A rectangle holds the part moved to each of its corners. An
+ * insert whose start point stands in the stock cuts there whatever the cycle does, which is told.
+ */
 const oversizeStays: CutLaw = ({ plans: [plan], situation: { values, blank }, simulation }) => {
   if (!plan || values["Q215"] !== 1 || plan.part.length === 0 || startsBadly(plan)) return null;
+  if (simulation.proof.operations[0]?.startInMaterial) return null;
   const cut = difference(blank, simulation.final);
   const [dz, dr] = [values["Q484"] ?? 0, (values["Q483"] ?? 0) / 2];
   for (const [z, r] of [[dz, 0], [-dz, 0], [0, dr], [0, -dr]] as const) {
