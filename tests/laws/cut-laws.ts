@@ -158,9 +158,10 @@ const oversizeStays: CutLaw = ({ plans: [plan], situation: { values, blank }, si
  */
 const limitsHoldOrAreTold: CutLaw = (w) => {
   const { values, start } = w.situation;
-  if (values["Q479"] !== 1) return null;
   const far = 1000;
   const [x, z] = [(values["Q480"] ?? 0) / 2, values["Q482"] ?? 0];
+  // A start point on a limit stands on neither side of it.
+  if (values["Q479"] !== 1 || start.r === x || start.z === z) return null;
   const [xWay, zWay] = [start.r >= x ? -1 : 1, start.z >= z ? -1 : 1];
   const zones: readonly (readonly [string, (from: number) => P[]])[] = [[
     "Q480",
