@@ -1,5 +1,5 @@
 import { useEffect, useState } from "react";
-import { outcomeBeside } from "../engine/client.ts";
+import { outcomeBeside } from "../engine/beside.ts";
 import { isMadeFrom, useOutcome, type Outcome } from "../engine/outcome.ts";
 import { useEditor } from "../store.ts";
 import type { ProgramWork } from "../work.ts";

@@ -15,7 +15,7 @@ interface Asked {
 }
 
 /** Whether the page plans by itself, takes long for it, and has that done by the worker. */
-const page = vi.hoisted(() => ({ plans: false, isSlow: false, isLong: false }));
+const page = vi.hoisted(() => ({ plans: false, isSlow: false, isByBits: false, isLong: false }));
 vi.mock("./page-plan.ts", async () => {
   const { planned } = await import("./plan.ts");
   return {
@@ -23,6 +23,11 @@ vi.mock("./page-plan.ts", async () => {
     forgetPace: () => undefined,
     notePace: () => undefined,
     planNow: (request: Request) => (page.plans ? planned(request) : null),
+    planSoon: (request: Request, done: (made: ReturnType<typeof planned>) => void) => {
+      if (!page.isByBits) return null;
+      const timer = setTimeout(() => done(planned(request)), 20);
+      return () => clearTimeout(timer);
+    },
     plansBehindDigit: () => page.isSlow,
     plansLong: () => page.isLong,
   };
@@ -71,7 +76,7 @@ beforeEach(() => {
   stop = startEngine();
 });
 afterEach(async () => {
-  Object.assign(page, { plans: false, isSlow: false, isLong: false });
+  Object.assign(page, { plans: false, isSlow: false, isByBits: false, isLong: false });
   begin(null, null);
   while (asked.length > 0) await answerNext();
   stop();
@@ -169,9 +174,12 @@ test("what the page plans is in the picture before anything is asked, and its pr
   expect(whole).toEqual(request && engine.update(request));
 });
 
-test("what the page plans slowly is planned behind the picture of the digit, and of several digits the last", async () => {
+/** Both ways in which the page plans what takes it long. */
+const LATER = [{ way: "slowly", isSlow: true, isByBits: false }, { way: "bit by bit", isSlow: false, isByBits: true }];
+
+test.each(LATER)("what the page plans $way is planned behind the picture of the digit, and of several digits the last", async (how) => {
   await answerNext();
-  Object.assign(page, { plans: true, isSlow: true });
+  Object.assign(page, { plans: true }, how);
   const before = useOutcome.getState().pictured;
   for (const Q483 of ["0.3", "0.37", "0.371"]) typeInto({ Q483 });
   expect(useOutcome.getState()).toMatchObject({ pictured: before, stage: "reading" });
@@ -183,9 +191,9 @@ test("what the page plans slowly is planned behind the picture of the digit, and
   expect(useOutcome.getState().planned?.text).toContain("Q483=+0.371");
 });
 
-test("what is not planned yet is forgotten with its work, and planned when emptied values come again", async () => {
+test.each(LATER)("what is planned $way and not yet is forgotten with its work, and planned when emptied values come again", async (how) => {
   await answerNext();
-  Object.assign(page, { plans: true, isSlow: true });
+  Object.assign(page, { plans: true }, how);
   typeInto({ Q483: "0.37" });
   typeInto({ Q483: "" });
   expect(useOutcome.getState().paused).toBe(true);

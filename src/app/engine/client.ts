@@ -1,7 +1,4 @@
 import { proxy, type Remote } from "comlink";
-import type { Job } from "../../program/job.ts";
-import { readText } from "../../program/field.ts";
-import { SETUP_FIELDS } from "../../program/setup-fields.ts";
 import { fileKey } from "../../program/program-files.ts";
 import type { ShopTools } from "../../program/read-tools.ts";
 import type { Control } from "../../program/plane-types.ts";
@@ -14,14 +11,12 @@ import { useSettings } from "../settings/settings.ts";
 import { useEditor, type Editor } from "../store.ts";
 import { useTools } from "../tools/tool-store.ts";
 import { byAndBy, whileTyping } from "../typing.ts";
-import { controlInUse, shopOf, toolTable } from "../tools/work-tools.ts";
-import { filesOf, isProgram, type ProgramWork, type Work, type WorkFile } from "../work.ts";
-import type { Comparer } from "../which/comparison.ts";
-import { fetchPlan, forgetPace, notePace, planNow, plansBehindDigit, plansLong } from "./page-plan.ts";
+import { controlInUse, toolTable } from "../tools/work-tools.ts";
+import { filesOf, type ProgramWork, type WorkFile } from "../work.ts";
+import { fetchPlan, forgetPace, notePace, planNow, planSoon, plansBehindDigit, plansLong } from "./page-plan.ts";
 import { pauseInTyping } from "./quiet.ts";
 import { simulationOf } from "./proved.ts";
-import type { Reported } from "./reported.ts";
-import type { Request } from "./request.ts";
+import { rapidOf, USUAL_RAPID, type Request } from "./request.ts";
 import { askAgain, stopWorker } from "./worker-life.ts";
 import type { Engine } from "./worker.ts";
 import { atStage, calculationStopped, forgetOutcome, pause, showBeginning, takeOutcome, takePlanned, useOutcome, type Outcome, type Planned,
@@ -135,7 +130,7 @@ async function work(): Promise<void> {
   atStage(null);
 }
 
-/** Takes back what is to be planned behind the picture of a digit; null while nothing is. */
+/** Takes back what is to be planned behind the picture of a digit, or bit by bit; null while nothing is. */
 let callOffPlan: (() => void) | null = null;
 
 function forgetPlan(): void {
@@ -145,12 +140,18 @@ function forgetPlan(): void {
 
 /**
  * A changed work is calculated: the page plans it at once where that is quickly done, and the worker proves it. What takes the page longer
- * is planned behind the picture of the digit, and what waits behind that; of several digits in a row only the last is.
+ * is planned behind the picture of the digit, and what waits behind that; of several digits in a row only the last is. What would halt
+ * the page is planned bit by bit.
  */
 function want(request: Wanted["request"]): void {
   forgetPlan();
-  if (!plansBehindDigit()) return plan(request);
+  callOffPlan = isVeiled() ? null : planSoon(request, (made) => {
+    callOffPlan = null;
+    whileTyping(() => take(request, made));
+  });
+  if (!callOffPlan && !plansBehindDigit()) return plan(request);
   if (!busy) atStage("reading");
+  if (callOffPlan) return;
   callOffPlan = afterPicture(() => {
     const timer = setTimeout(() => {
       callOffPlan = null;
@@ -160,8 +161,9 @@ function want(request: Wanted["request"]): void {
   });
 }
 
-function plan(request: Wanted["request"]): void {
-  const made = isVeiled() ? null : planNow(request);
+const plan = (request: Wanted["request"]): void => take(request, isVeiled() ? null : planNow(request));
+
+function take(request: Wanted["request"], made: Planned | null): void {
   const planned = made && { ...made, ...ofWork(request) };
   if (planned) takePlanned(planned);
   waiting = { request, planned };
@@ -183,11 +185,6 @@ export function calculateAgain(): void {
   last = null;
   follow(useEditor.getState());
 }
-
-/** Rapid rate that times are estimated with when none can be read, mm/min. */
-const USUAL_RAPID = 10_000;
-
-const rapidOf = (job: Job): number => readText(SETUP_FIELDS.rapid, job.rapid).value ?? USUAL_RAPID;
 
 let last: { readonly text: string; readonly table: ShopTools; readonly rapid: number; readonly control: Control;
   readonly cycle: number | null; readonly work: string | null; readonly program?: ProgramWork } | null = null;
@@ -255,46 +252,3 @@ export function startEngine(): () => void {
   const stops = [fetchPlan(), useEditor.subscribe(now), useTools.subscribe(now), useSettings.subscribe(now)];
   return () => stops.forEach((stop) => stop());
 }
-
-/** What comes of another program, beside the open one and with what it brings along itself; null when that cannot be said. */
-export async function outcomeBeside(program: ProgramWork, timedAs = useEditor.getState().job): Promise<Outcome | null> {
-  const { name, text, skipMarked = false } = program;
-  try {
-    const request = { version: 0, name, text, files: filesOf(program), skipMarked, ...shopOf(program) };
-    return await askAgain((engine) => engine.update({ ...request, rapid: timedAs ? rapidOf(timedAs) : USUAL_RAPID }));
-  } catch {
-    return null;
-  }
-}
-
-/** The report on the open work as it stands, and the tools that it takes to come to it; null when that cannot be said. */
-export async function reportOf(work: Work, file: string): Promise<Reported | null> {
-  const shop = { version: 0, table: toolTable(), control: controlInUse() };
-  try {
-    const request = isProgram(work)
-      ? { ...shop, text: work.text, name: work.name, files: filesOf(work), skipMarked: work.skipMarked ?? false, rapid: USUAL_RAPID }
-      : { ...shop, text: printedText(work), rapid: rapidOf(work) };
-    return await askAgain((engine) => engine.reported(request, file));
-  } catch {
-    return null;
-  }
-}
-
-/** The ways to make what is wanted, and what comes of each; null when that cannot be said. */
-export const comparison: Comparer = {
-  async ways(wanted, stock) {
-    try {
-      return await askAgain((engine) => engine.ways(wanted, stock, toolTable().tools));
-    } catch {
-      return null;
-    }
-  },
-  async tryWay(proposal, wanted, stock) {
-    const control = controlInUse();
-    try {
-      return await askAgain((engine) => engine.tryWay(proposal, wanted, stock, { table: toolTable(), rapid: USUAL_RAPID, control }));
-    } catch {
-      return null;
-    }
-  },
-};

@@ -1,13 +1,14 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import { fetchPlan, forgetPace, notePace, planNow, plansBehindDigit, plansLong, plansOnPage, whenRehearsed } from "./page-plan.ts";
+import { fetchPlan, forgetPace, notePace, planNow, planSoon, plansBehindDigit, plansLong, plansOnPage,
+  whenRehearsed } from "./page-plan.ts";
 import type { Request } from "./request.ts";
 
 /** What the next run takes, ms, and whether it comes to nothing. */
-const run = vi.hoisted(() => ({ takes: 0, fails: false, now: 0, rehearsed: [] as string[], bits: 0 }));
+const run = vi.hoisted(() => ({ takes: 0, fails: false, now: 0, rehearsed: [] as string[], bits: 0, rests: true }));
 vi.mock("../clock.ts", () => ({ stopwatch: () => run.now }));
 vi.mock("../rest.ts", () => ({
   atRest: (begin: () => void) => {
-    begin();
+    if (run.rests) begin();
     return () => undefined;
   },
 }));
@@ -41,7 +42,7 @@ const requestOf = (text: string, beside = 0): Request => ({
 const plans = (text = "L X+3.5") => planNow(requestOf(text)) !== null;
 
 beforeEach(async () => {
-  Object.assign(run, { takes: 1.3, fails: false, now: 0, rehearsed: [], bits: 0 });
+  Object.assign(run, { takes: 1.3, fails: false, now: 0, rehearsed: [], bits: 0, rests: true });
   forgetPace();
   fetchPlan();
   await vi.waitFor(() => expect(plansOnPage(17)).toBe(true));
@@ -123,4 +124,30 @@ test("a long text is planned at rest bit by bit, and on the page from then on", 
   expect([plansLong(request), planNow(request) !== null]).toEqual([false, true]);
   forgetPace();
   expect(plansLong(request)).toBe(true);
+});
+
+test("what is typed into a long text before there was a rest is planned bit by bit, with the page answering in between", async () => {
+  const request = requestOf("CYCL CALL\n".repeat(2400)), done = vi.fn();
+  expect(planSoon(request, done)).toBeNull();
+  run.rests = false;
+  notePace(request, 1311.4);
+  for (const took of [11.3, 9.1, 12.7]) notePace(request, took);
+  expect(planNow(request)).toBeNull();
+  const callOff = planSoon(request, done);
+  for (let turn = 0; turn < 2; turn += 1) await new Promise((next) => setTimeout(next));
+  expect(run.bits).toBe(2);
+  callOff?.();
+  const before = run.bits;
+  await new Promise((rest) => setTimeout(rest, 30));
+  expect([run.bits, done.mock.calls.length]).toEqual([before, 0]);
+  planSoon(request, done);
+  await vi.waitFor(() => expect(done).toHaveBeenCalledWith(expect.objectContaining({ text: request.text })));
+  expect([planSoon(request, done), planNow(request) !== null]).toEqual([null, true]);
+});
+
+test("one whose first run took so long that nobody waits for it is left to the worker until it was planned at rest", () => {
+  run.rests = false;
+  const request = requestOf("CYCL CALL\n".repeat(2400));
+  for (const took of [1511.4, 11.3, 9.1, 12.7]) notePace(request, took);
+  expect([planSoon(request, () => undefined), planNow(request)]).toEqual([null, null]);
 });

@@ -42,11 +42,15 @@ export const fetchPlan = (): () => void =>
 const REHEARSED = [0.25, 0.5, 0.75, 1, 1] as const, MAY_BE_TRIED = 600;
 /** Of a longer text so much is planned at a time, ms; but nothing of one whose first run took so long, ms, or with so many characters. */
 const BIT = 6, LONG_MAY_TAKE = 4000, MOST = 400_000;
+/** While somebody waits for its path more is planned at a time, ms, but not of one whose first run took so long, ms. */
+const BIT_WAITED_FOR = 20, MAY_BE_WAITED_FOR = 1500;
 /** A rest so long is no pause between two pictures, ms. */
 const LONG_REST = 25;
 let callOff: (() => void) | null = null;
 /** The work that is to be planned at rest. */
 let opened: Request | null = null;
+/** What its first run took in the worker, ms. */
+let firstTook = Infinity;
 
 /** True when a long text has been planned here at rest, or its first run was quick: one of which nothing is known could halt the page. */
 let isKnown = false;
@@ -58,6 +62,7 @@ export const whenRehearsed = (listener: typeof hear): void => void (hear = liste
 export const forgetPace = (): void => {
   paces = [];
   isKnown = false;
+  firstTook = Infinity;
   callOff?.();
   callOff = opened = null;
 };
@@ -70,7 +75,9 @@ function rehearse(request: Request): void {
   opened = request;
   if (callOff || !plan) return;
   const isLong = !isKnown && lengthOf(request) > SHORT;
-  callOff = atRest(isLong ? () => planBits(request) : () => planShare(request, 0), LONG_REST);
+  callOff = isLong
+    ? planBits(request, BIT, (go) => atRest(go, LONG_REST), () => undefined)
+    : atRest(() => planShare(request, 0), LONG_REST);
 }
 
 function planShare(request: Request, which: number): void {
@@ -88,27 +95,52 @@ function planShare(request: Request, which: number): void {
   if (stopwatch() - begun < MAY_BE_TRIED) callOff = atRest(() => planShare(request, which + 1), LONG_REST);
 }
 
-/** Plans a bit of a long text, and the next one at the next rest: no part of it takes long. */
-function planBits(request: Request): void {
-  const begun = stopwatch();
-  let made: Planned | null | undefined;
-  try {
-    made = plan?.part(request, () => stopwatch() - begun < BIT);
-  } catch {
-    return;
-  }
-  if (!made) callOff = atRest(() => planBits(request), LONG_REST);
-  else {
-    const all = made.run;
+/**
+ * Plans a long text in bits of so many ms, each when `next` comes to it. `done` takes what comes of it, null where that is for the worker
+ * to say. Gives the way to call it off.
+ */
+function planBits(request: Request, bit: number, next: (go: () => void) => () => void, done: (made: Planned | null) => void): () => void {
+  let stop = () => undefined as void;
+  const go = () => {
+    const begun = stopwatch();
+    let made: Planned | null | undefined;
+    try {
+      made = plan?.part(request, () => stopwatch() - begun < bit);
+    } catch {
+      return done(null);
+    }
+    if (!made) {
+      stop = next(go);
+      return;
+    }
+    const { run } = made;
     [isKnown, paces] = [true, []];
-    callOff = atRest(() => hear(all), LONG_REST);
-  }
+    callOff = atRest(() => hear(run), LONG_REST);
+    done(made);
+  };
+  stop = next(go);
+  return () => stop();
+}
+
+const soon = (go: () => void): () => void => {
+  const timer = setTimeout(go);
+  return () => clearTimeout(timer);
+};
+
+/**
+ * Plans a long text of which nothing is known here in bits between which the page answers: to plan it at once would halt the page, and an
+ * answer of the worker as large as its path does so with each key. Gives the way to call it off; null where it is not planned so.
+ */
+export function planSoon(request: Request, done: (made: Planned | null) => void): (() => void) | null {
+  if (!plan || !opened || isKnown || firstTook > MAY_BE_WAITED_FOR || lengthOf(request) <= SHORT) return null;
+  callOff?.();
+  return planBits(request, BIT_WAITED_FOR, soon, done);
 }
 
 /** What reading and running took in the worker, ms; absent where it was not told. */
 export function notePace(request: Request, took: number | undefined): void {
   if (took === undefined) return;
-  isKnown ||= paces.length === 0 && took <= MAY_TAKE;
+  if (paces.length === 0) [isKnown, firstTook] = [isKnown || took <= MAY_TAKE, took];
   note(took);
   const characters = lengthOf(request);
   if (characters <= SHORT ? took <= MAY_BE_TRIED : characters <= MOST && took <= LONG_MAY_TAKE) rehearse(request);
@@ -118,7 +150,9 @@ const lengthOf = ({ text, files = [] }: Request): number => files.reduce((sum, f
 
 /** Of a long text that is not known here all of the last runs have to be quick, of any other text one of them. */
 function isQuick(characters: number): boolean {
-  const isFamiliar = characters <= SHORT || isKnown, quick = paces.slice(-LAST).filter((took) => took <= MAY_TAKE).length;
+  const isFamiliar = characters <= SHORT || isKnown;
+  if (!isFamiliar && opened) return false;
+  const quick = paces.slice(-LAST).filter((took) => took <= MAY_TAKE).length;
   return paces.length === 0 ? isFamiliar : quick >= (isFamiliar ? 1 : LAST);
 }
 

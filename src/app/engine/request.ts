@@ -1,5 +1,8 @@
+import { readText } from "../../program/field.ts";
+import type { Job } from "../../program/job.ts";
 import type { Control } from "../../program/plane-types.ts";
 import type { ShopTools } from "../../program/read-tools.ts";
+import { SETUP_FIELDS } from "../../program/setup-fields.ts";
 import type { WorkFile } from "../work.ts";
 
 /** A program to calculate. */
@@ -19,3 +22,9 @@ export interface Request {
   /** How APPR and DEP move in the tool axis. */
   readonly control: Control;
 }
+
+/** Rapid rate that times are estimated with when none can be read, mm/min. */
+export const USUAL_RAPID = 10_000;
+
+/** Rapid rate of a job, mm/min. */
+export const rapidOf = (job: Job): number => readText(SETUP_FIELDS.rapid, job.rapid).value ?? USUAL_RAPID;

@@ -7,7 +7,7 @@ import type { Operation } from "../../program/run-types.ts";
 import { positionAsTyped } from "../../program/typed-value.ts";
 import { rowsOf } from "../../program/wanted-shape.ts";
 import { broughtBy } from "../work.ts";
-import { outcomeBeside } from "../engine/client.ts";
+import { outcomeBeside } from "../engine/beside.ts";
 import { useOutcome, type Outcome } from "../engine/outcome.ts";
 import { printedText } from "../printed.ts";
 import { readJob, setJobOf } from "../reading.ts";

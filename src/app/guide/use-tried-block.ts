@@ -2,7 +2,7 @@ import { useCallback } from "react";
 import type { Box } from "../../kernel/geometry/segments.ts";
 import type { BlockKind } from "../editor/block-kind.ts";
 import { spreadOf, textsBeside } from "../editor/block-guide.ts";
-import { outcomeBeside } from "../engine/client.ts";
+import { outcomeBeside } from "../engine/beside.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import { toolTable } from "../tools/work-tools.ts";
 import { useShownName } from "../files/shown-file.ts";

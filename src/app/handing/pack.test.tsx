@@ -18,7 +18,7 @@ import { packed, packedFile } from "./pack.ts";
 import { callAs, callsOf, keepWorkTools, takeControlOfDevice, takeTableOfDevice } from "./work-tools-edits.ts";
 
 /** The worker's answer, made here. */
-vi.mock("../engine/client.ts", () => ({
+vi.mock("../engine/beside.ts", () => ({
   reportOf: (work: Work, file: string) =>
     Promise.resolve(reported({
       version: 0,

@@ -1,7 +1,7 @@
 import { rowsCalled } from "../../program/tool-list.ts";
 import { time } from "../clock.ts";
 import { draftOf } from "../edits.ts";
-import { reportOf } from "../engine/client.ts";
+import { reportOf } from "../engine/beside.ts";
 import { printedText, programName } from "../printed.ts";
 import { setJobOf } from "../reading.ts";
 import { writeArchive } from "../saving/archive.ts";

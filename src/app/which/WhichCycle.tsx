@@ -1,6 +1,6 @@
 import { Suspense, useMemo, useRef, useState } from "react";
 import { loadWhich } from "../../i18n/load-which.ts";
-import { comparison as byWorker } from "../engine/client.ts";
+import { comparison as byWorker } from "../engine/beside.ts";
 import { Icon } from "../Icon.tsx";
 import { lazyPart } from "../parts.ts";
 import { useSettings } from "../settings/settings.ts";

@@ -1,0 +1,56 @@
+import { printedText } from "../printed.ts";
+import { useEditor } from "../store.ts";
+import { controlInUse, shopOf, toolTable } from "../tools/work-tools.ts";
+import type { Comparer } from "../which/comparison.ts";
+import { filesOf, isProgram, type ProgramWork, type Work } from "../work.ts";
+import type { Outcome } from "./outcome.ts";
+import type { Reported } from "./reported.ts";
+import { rapidOf, USUAL_RAPID } from "./request.ts";
+import { askAgain } from "./worker-life.ts";
+
+/*
+ * What else the worker is asked for, beside the open work as it is typed.
+ */
+
+/** What comes of another program, beside the open one and with what it brings along itself; null when that cannot be said. */
+export async function outcomeBeside(program: ProgramWork, timedAs = useEditor.getState().job): Promise<Outcome | null> {
+  const { name, text, skipMarked = false } = program;
+  try {
+    const request = { version: 0, name, text, files: filesOf(program), skipMarked, ...shopOf(program) };
+    return await askAgain((engine) => engine.update({ ...request, rapid: timedAs ? rapidOf(timedAs) : USUAL_RAPID }));
+  } catch {
+    return null;
+  }
+}
+
+/** The report on the open work as it stands, and the tools that it takes to come to it; null when that cannot be said. */
+export async function reportOf(work: Work, file: string): Promise<Reported | null> {
+  const shop = { version: 0, table: toolTable(), control: controlInUse() };
+  try {
+    const request = isProgram(work)
+      ? { ...shop, text: work.text, name: work.name, files: filesOf(work), skipMarked: work.skipMarked ?? false, rapid: USUAL_RAPID }
+      : { ...shop, text: printedText(work), rapid: rapidOf(work) };
+    return await askAgain((engine) => engine.reported(request, file));
+  } catch {
+    return null;
+  }
+}
+
+/** The ways to make what is wanted, and what comes of each; null when that cannot be said. */
+export const comparison: Comparer = {
+  async ways(wanted, stock) {
+    try {
+      return await askAgain((engine) => engine.ways(wanted, stock, toolTable().tools));
+    } catch {
+      return null;
+    }
+  },
+  async tryWay(proposal, wanted, stock) {
+    const control = controlInUse();
+    try {
+      return await askAgain((engine) => engine.tryWay(proposal, wanted, stock, { table: toolTable(), rapid: USUAL_RAPID, control }));
+    } catch {
+      return null;
+    }
+  },
+};
