@@ -55,6 +55,36 @@ function drawnBy(
 
 const NOTHING: Numbers = {};
 
+interface SheetProps extends Pick<Props, "cycle" | "activeQ" | "language"> {
+  readonly id: string;
+  readonly shown: Drawn;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** The drawing of what was planned: a part of its own, so that a slow device may do something else between the two. */
+function HelpSheet({ id, cycle, shown, activeQ, language, width, height }: SheetProps) {
+  const t = texts(language);
+  const drawing = useMemo(() =>
+    helpDrawing({
+      params: cycle.params,
+      values: shown.values,
+      typed: shown.typed,
+      isBorrowed: shown.isBorrowed,
+      outline: shown.outline,
+      plan: shown.plan,
+      active: activeQ,
+      size: { width, height },
+      speech: {
+        number: (n, decimals) => formatNumber(language, n, decimals),
+        element: [t.help.element.none, t.help.element.chamfer, t.help.element.radius],
+        reserved: t.help.reserved,
+        notToScale: t.help.notToScale,
+      },
+    }), [cycle, shown, activeQ, width, height, language, t]);
+  return <HelpMarks marks={drawing.marks} id={id} />;
+}
+
 /**
  * A shop drawing of the contour that the values describe, the active prompt's dimension strong. A value that is missing is drawn with
  * its Q number in place of a measure. What can not be drawn leaves the last possible drawing, dimmed.
@@ -91,24 +121,6 @@ export function HelpPicture(props: Props) {
   const shown = now ?? kept ?? first;
   const isStale = !now && kept !== null;
   const t = texts(language);
-  const { width, height } = size;
-  const drawing = useMemo(() =>
-    shown && helpDrawing({
-      params: cycle.params,
-      values: shown.values,
-      typed: shown.typed,
-      isBorrowed: shown.isBorrowed,
-      outline: shown.outline,
-      plan: shown.plan,
-      active: activeQ,
-      size: { width, height },
-      speech: {
-        number: (n, decimals) => formatNumber(language, n, decimals),
-        element: [t.help.element.none, t.help.element.chamfer, t.help.element.radius],
-        reserved: t.help.reserved,
-        notToScale: t.help.notToScale,
-      },
-    }), [cycle, shown, activeQ, width, height, language, t]);
   const note = isStale ? t.help.stale : values === null || isBorrowed ? t.help.partial : null;
   const pressing = usePressing((at, taken) => {
     const q = dimensionAt(at);
@@ -121,7 +133,7 @@ export function HelpPicture(props: Props) {
         {...(isStale ? { className: "dimmed" } : {})} {...(onPick && pressing)}
       >
         <Hatches id={id} />
-        {drawing && <HelpMarks marks={drawing.marks} id={id} />}
+        {shown && <HelpSheet id={id} cycle={cycle} shown={shown} activeQ={activeQ} language={language} {...size} />}
       </svg>
       {isStale && <p className="help-note" aria-hidden="true">{t.help.stale}</p>}
     </div>

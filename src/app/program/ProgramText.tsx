@@ -1,4 +1,4 @@
-import { useEffect, useMemo, useRef } from "react";
+import { memo, useEffect, useMemo, useRef } from "react";
 import { guardCopy } from "../leaving/whole-program.ts";
 import { KEEPS_KEYBOARD } from "../place.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -29,13 +29,40 @@ export interface ChosenLine {
 
 const qOfLine = (line = ""): string | null => /^\s*(Q\d+)=/.exec(line)?.[1] ?? null;
 
-/** Scrolls a row into sight where it is not. */
-function show(frame: HTMLElement | null, row: HTMLElement | null | undefined): void {
-  if (!frame || !row) return;
-  const top = row.offsetTop - frame.offsetTop;
-  if (top < frame.scrollTop || top + row.offsetHeight > frame.scrollTop + frame.clientHeight)
-    frame.scrollTop = Math.max(0, top - frame.clientHeight / 3);
+/** Scrolls a row into sight where it is not, with the next picture: to ask earlier where it lies costs an arrangement of its own. */
+function showWithPicture(frame: HTMLElement | null, which: string): () => void {
+  const picture = requestAnimationFrame(() => {
+    const row = frame?.querySelector<HTMLElement>(which);
+    if (!frame || !row) return;
+    const top = row.offsetTop - frame.offsetTop;
+    if (top < frame.scrollTop || top + row.offsetHeight > frame.scrollTop + frame.clientHeight)
+      frame.scrollTop = Math.max(0, top - frame.clientHeight / 3);
+  });
+  return () => cancelAnimationFrame(picture);
 }
+
+interface BlockProps {
+  readonly number: number | null;
+  readonly text: string;
+  readonly runs: boolean;
+  readonly isChosen: boolean;
+  /** The parameter that is chosen in a chosen block. */
+  readonly q: string | null;
+}
+
+/** One block. Of a long program only those that are others are rendered anew. */
+const Block = memo(function Block({ number, text, runs, isChosen, q }: BlockProps) {
+  const t = useTexts().page.text;
+  return (
+    <li className={`${runs ? "running" : ""}${isChosen ? " chosen" : ""}`.trim()} aria-current={runs ? "step" : undefined}
+      {...(number !== null ? { "data-block": number } : {})}
+    >
+      {text.split("\n").map((line, n) => <code key={n} className={isChosen && q === qOfLine(line) ? "chosen-line" : ""}>{line || " "}
+      </code>)}
+      {runs && <span className="unseen">({t.running})</span>}
+    </li>
+  );
+});
 
 /** The text as the control writes it, one list item a block; the running one is marked and kept in sight. */
 export function ProgramText({ text, running, chosen, choose }: {
@@ -49,19 +76,14 @@ export function ProgramText({ text, running, chosen, choose }: {
   const blocks = useMemo(() => blocksOf(text), [text]);
   const box = useRef<HTMLDivElement>(null);
 
-  useEffect(() => {
-    const frame = box.current;
-    show(frame, frame?.querySelector<HTMLElement>("[aria-current]"));
-  }, [running]);
-  useEffect(() => {
-    const frame = box.current;
-    show(frame, frame?.querySelector<HTMLElement>(".chosen-line"));
-  }, [chosen]);
+  useEffect(() => showWithPicture(box.current, "[aria-current]"), [running]);
+  useEffect(() => showWithPicture(box.current, ".chosen-line"), [chosen]);
 
-  const press = (block: Shown, n: number) => {
+  const press = (pressed: EventTarget) => {
+    const line = pressed instanceof Element && pressed.closest("code"), block = line && line.closest<HTMLElement>("[data-block]");
     // Marking text with the mouse to copy it is no choice.
-    if (block.number === null || getSelection()?.isCollapsed === false) return;
-    choose({ block: block.number, q: qOfLine(block.lines[n]) });
+    if (!block || getSelection()?.isCollapsed === false) return;
+    choose({ block: Number(block.dataset["block"]), q: qOfLine(line.textContent) });
   };
   /** Up and down go from line to line: the lines of a cycle are its parameters. */
   const step = (by: number) => {
@@ -80,21 +102,12 @@ export function ProgramText({ text, running, chosen, choose }: {
       event.preventDefault();
       step(event.key === "ArrowDown" ? 1 : -1);
     }}>
-      <ol aria-label={t.blocks}>
-        {blocks.map((block, i) => {
-          const runs = block.number !== null && block.number === running;
-          const isChosen = block.number !== null && block.number === chosen?.block;
+      <ol aria-label={t.blocks} onClick={(event) => press(event.target)}>
+        {blocks.map(({ number, lines }, i) => {
+          const isChosen = number !== null && number === chosen?.block;
           return (
-            <li key={i} className={`${runs ? "running" : ""}${isChosen ? " chosen" : ""}`.trim()} aria-current={runs ? "step" : undefined}
-              {...(block.number !== null ? { "data-block": block.number } : {})}
-            >
-              {block.lines.map((line, n) => (
-                <code key={n} className={isChosen && chosen.q === qOfLine(line) ? "chosen-line" : ""} onClick={() => press(block, n)}>
-                  {line || " "}
-                </code>
-              ))}
-              {runs && <span className="unseen">({t.running})</span>}
-            </li>
+            <Block key={i} number={number} text={lines.join("\n")} runs={number !== null && number === running} isChosen={isChosen}
+              q={isChosen ? chosen.q : null} />
           );
         })}
       </ol>
