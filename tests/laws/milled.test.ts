@@ -197,6 +197,8 @@ const inward = situation.map((s): Situation => ({
   ...s,
   corners: s.corners.map((c, i) => (i % 3 === 2 ? c : { ...c, turn: (s.side === "RL" ? 1 : -1) * Math.abs(c.turn) })),
 }));
+/** Some of them, the same on every run: of a few the tool cuts into the contour, and another radius would not. */
+const SOME_CUT: [Situation][] = fc.sample(inward, { numRuns: RUNS, seed: 47 }).map((s) => [s]);
 /** Whether a contour comes back to itself: which side of it is material, nobody says then. */
 const crosses = (elements: readonly Element[], side: string) =>
   elements.some((e, i) =>
@@ -259,7 +261,7 @@ describe("the stock of programs with RL and RR", () => {
       offered += 1;
       const then = codes(worked({ ...s, tool: found.data.nearest }).done);
       expect(then.filter((code) => code === "pathCutsContour" || code === "toolRadiusTooLarge"), text(s, elements)).toEqual([]);
-    }), { numRuns: 4 * RUNS });
+    }), { numRuns: 4 * RUNS, examples: SOME_CUT });
     expect(clear).toBeGreaterThan(RUNS);
     expect(said).toBeGreaterThan(0);
     expect(offered).toBeGreaterThan(0);
