@@ -24,8 +24,11 @@ const [SHARE, LEAST] = [0.4, 5];
  */
 const WAYS = [1, 0.73, -1, -0.61, 2.9, 11.3, -3.1, -9.7] as const;
 
-/** How much longer than wide the rest is, one after the other: a wall that leans far fits only into what is long, or short. */
-const STRETCH = [1, 3.7, 1, 0.27, 1.9] as const;
+/**
+ * How much longer than wide the rest is, one after the other: a wall that leans far fits only into what is long, or short. Below zero it goes
+ * the other way along Z: a contour that is cut as in the example may rise where that falls.
+ */
+const STRETCH = [1, 3.7, -1, 0.27, 1.9, -4.3] as const;
 
 /** Small sizes and angles that are tried one after the other, so that they fit whatever is typed: mm, degrees. */
 const SIZES = [0, 0.0137, 0.031, 0.0473] as const;
@@ -76,7 +79,7 @@ function completion(cycle: Cycle, values: SomeValues, given: Given): Completion 
 }
 
 /** How often each missing value is drawn anew: every choice comes up, with each direction of the rest. */
-const DRAWS = 40;
+const DRAWS = STRETCH.length * WAYS.length;
 
 /**
  * Contours that agree with a few values and differ in everything that is missing, but for corrections. One where nothing is; none where

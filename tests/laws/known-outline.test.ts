@@ -60,6 +60,12 @@ describe("a shoulder, value by value", () => {
   const of = (values: Record<string, number>) => knownOutline(cycle, values, { contour: null, start: null });
   const box = { Q491: 61.37, Q492: 0.8, Q493: 42.11, Q494: -23.9 };
 
+  test("an arc that falls or rises with the diameter at the end is not known before that is", () => {
+    const start = { Q491: 67.41, Q492: -4.156, Q495: 75, Q496: 0, Q500: 0, Q501: 2, Q502: 0.428 };
+    const plunging = cycleByNumber(814) as Cycle, given = { contour: null, start: at(-4.148, 33.703) };
+    expect(knownOutline(plunging, start, given).contour).toEqual([]);
+    expect(knownOutline(plunging, { ...start, Q493: 91.406, Q494: -64.152 }, given).contour[0]).toMatchObject({ kind: "arc" });
+  });
   test("a diameter is a position, with its Z it is a point", () => {
     expect(of({ Q491: 61.37 })).toMatchObject({
       positions: [{ q: "Q491", axis: "x", value: 61.37 }],
