@@ -25,8 +25,8 @@ const [SHARE, LEAST] = [0.4, 5];
 const WAYS = [1, 0.73, -1, -0.61, 2.9, 11.3, -3.1, -9.7] as const;
 
 /**
- * How much longer than wide the rest is, one after the other: a wall that leans far fits only into what is long, or short. Below zero it goes
- * the other way along Z: a contour that is cut as in the example may rise where that falls.
+ * How much longer than wide the rest is, one after the other: a wall that leans far fits only into what is long, or short. Below zero it
+ * goes the other way along Z: a contour that is cut as in the example may rise where that falls.
  */
 const STRETCH = [1, 3.7, -1, 0.27, 1.9, -4.3] as const;
 
