@@ -145,6 +145,16 @@ test("what is typed into a long text before there was a rest is planned bit by b
   expect([planSoon(request, done), planNow(request) !== null]).toEqual([null, true]);
 });
 
+test("what was called off goes on at the next rest", () => {
+  run.rests = false;
+  const request = requestOf("CYCL CALL\n".repeat(2400));
+  notePace(request, 1311.4);
+  planSoon(request, () => undefined)?.();
+  run.rests = true;
+  notePace(request, 11.3);
+  expect([run.bits, planNow(request) !== null]).toEqual([7, true]);
+});
+
 test("one whose first run took so long that nobody waits for it is left to the worker until it was planned at rest", () => {
   run.rests = false;
   const request = requestOf("CYCL CALL\n".repeat(2400));

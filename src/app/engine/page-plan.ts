@@ -134,7 +134,13 @@ const soon = (go: () => void): () => void => {
 export function planSoon(request: Request, done: (made: Planned | null) => void): (() => void) | null {
   if (!plan || !opened || isKnown || firstTook > MAY_BE_WAITED_FOR || lengthOf(request) <= SHORT) return null;
   callOff?.();
-  return planBits(request, BIT_WAITED_FOR, soon, done);
+  const stop = planBits(request, BIT_WAITED_FOR, soon, done);
+  callOff = stop;
+  return () => {
+    stop();
+    // It goes on at the next rest.
+    if (callOff === stop) callOff = null;
+  };
 }
 
 /** What reading and running took in the worker, ms; absent where it was not told. */
