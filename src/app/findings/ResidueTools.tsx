@@ -5,7 +5,7 @@ import { remediesOf } from "../engine/tool-questions.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { regionOfResidual } from "../which/region.ts";
+import { regionOfResidual } from "../which/residual-region.ts";
 import { WhichButton } from "../which/WhichButton.tsx";
 import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";

@@ -10,7 +10,8 @@ import { run } from "../../program/run.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { soughtAt } from "./asking.ts";
-import { contourAt, regionOfResidual } from "./region.ts";
+import { contourAt } from "./region.ts";
+import { regionOfResidual } from "./residual-region.ts";
 
 const shop = { tools: shippedTools, rapid: 10_000 };
 const free = catalogue.filter((c) => c.contour === "free" && c.setup.contour.length > 3 && c.group === "transverse");

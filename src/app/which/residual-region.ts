@@ -1,0 +1,36 @@
+import { part, type Pt, type Ring, type Segment } from "../../kernel/point.ts";
+import type { Operation } from "../../program/run-types.ts";
+import type { Residual } from "../../sim/simulation.ts";
+import type { WhichRegion } from "./asking.ts";
+import { siteOfOperation } from "./region.ts";
+
+/** What stays touches its contour within this, mm: a chord, and a sliver of the simulation. */
+const TOUCHES = 0.05;
+
+/** A straight element in two, where a point lies on it; whole where the point is at one of its ends, or for an arc. */
+function splitAt(s: Segment, p: Pt): readonly Segment[] {
+  if (s.kind === "arc" || part.apart(s.from, p) < TOUCHES || part.apart(s.to, p) < TOUCHES) return [s];
+  return [part.line(s.from, p), part.line(p, s.to)];
+}
+
+/** The point of a stretch that lies farthest back or farthest on along an element. */
+function farthest(s: Segment, ring: Ring, way: 1 | -1): Pt {
+  const near = ring.filter((p) => part.distanceTo(s, p) < TOUCHES).map((p) => part.nearestOn(s, p));
+  return near.reduce((best, p) => ((part.apart(s.from, p) - part.apart(s.from, best)) * way > 0 ? p : best), near[0] ?? s.from);
+}
+
+/** What stays, as a place to ask about: the stretch of the contour that it lies on. */
+export function regionOfResidual({ ring }: Residual, operation: Operation, stock: readonly Ring[]): WhichRegion | null {
+  const { contour } = operation.plan;
+  const touched = contour.flatMap((s, i) => (ring.some((p) => part.distanceTo(s, p) < TOUCHES) ? [i] : []));
+  const [first, last] = [touched[0], touched.at(-1)];
+  const rest = { site: siteOfOperation(operation), stock, begins: "now" } as const;
+  if (contour.length === 0) return null;
+  if (first === undefined || last === undefined) return { ...rest, contour, first: 0, last: contour.length - 1 };
+  const [opening, closing] = [contour[first] as Segment, contour[last] as Segment];
+  const ending = splitAt(closing, farthest(closing, ring, 1));
+  const split = [...contour.slice(0, last), ...ending, ...contour.slice(last + 1)];
+  const starting = splitAt(first === last ? (ending[0] as Segment) : opening, farthest(opening, ring, -1));
+  const shift = starting.length - 1;
+  return { ...rest, contour: [...split.slice(0, first), ...starting, ...split.slice(first + 1)], first: first + shift, last: last + shift };
+}
