@@ -20,8 +20,8 @@ function roughed(cycle: Cycle, s: Situation, blank: readonly Ring[], leavesOutAi
 const same = (a: readonly Ring[], b: readonly Ring[]) => areaOutside(a, b) + areaOutside(b, a);
 
 /**
- * Roughs a blank in full and without air cuts, and gives back what stands then. An insert may reach across
- * the axis in passes through the air alone: roughing in full is refused then, and there is nothing to compare.
+ * Roughs a blank in full and without air cuts, and gives back what stands then. An insert may reach across the axis in passes through the
+ * air alone: roughing in full is refused then, and there is nothing to compare.
  */
 function bothWays(cycle: Cycle, s: Situation, blank: readonly Ring[]) {
   const [full, short] = [roughed(cycle, s, blank, false), roughed(cycle, s, blank, true)];

@@ -75,7 +75,7 @@ export function parameterAt(state: EditorState, offset: number): string | null {
 }
 
 /** Offset of a Q parameter that has a line of its own in a block; the beginning of the block where it has none. */
-export function lineOf(state: EditorState, block: { readonly from: number; readonly to: number }, parameter: string): number {
+export function parameterOffset(state: EditorState, block: { readonly from: number; readonly to: number }, parameter: string): number {
   const line = new RegExp(String.raw`(?:^|[\r\n])[^\S\r\n]*(${parameter})\s*[=+\-\d]`, "i").exec(state.sliceDoc(block.from, block.to));
   return line ? block.from + line.index + line[0].search(/Q/i) : block.from;
 }

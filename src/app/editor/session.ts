@@ -17,7 +17,7 @@ import { forgetHalf, watchText } from "./half-typed.ts";
 import { fileText, heldAs, type HeldText as Text } from "./held-text.ts";
 import { withHistory, writtenState } from "./kept-text.ts";
 import { lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
-import { blockRange, cursorBlock, isRead, parameterAt, lineOf, readFurther, readingField } from "./reading-field.ts";
+import { blockRange, cursorBlock, isRead, parameterAt, parameterOffset, readFurther, readingField } from "./reading-field.ts";
 import { createTextView, type TextUpdate, type TextView } from "./text-view.ts";
 import { onShown, shownFile, showFile } from "../files/shown-file.ts";
 import { heldWhileTyping } from "../typing.ts";
@@ -288,7 +288,7 @@ export function openBlock(index: number, parameter: string | null = null, byDial
   if (!view || !open) return;
   const range = blockRange(open.state, index);
   if (!range) return;
-  const at = parameter === null ? range.from : lineOf(open.state, range, parameter);
+  const at = parameter === null ? range.from : parameterOffset(open.state, range, parameter);
   view.get().dispatch({
     selection: { anchor: at },
     effects: EditorView.scrollIntoView(at, { y: "nearest", yMargin: 60 }),

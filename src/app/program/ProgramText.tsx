@@ -52,13 +52,12 @@ interface BlockProps {
 
 /** One block. Of a long program only those that are others are rendered anew. */
 const Block = memo(function Block({ number, text, runs, isChosen, q }: BlockProps) {
-  const t = useTexts().page.text;
+  const t = useTexts().page.text, lines = text.split("\n");
   return (
     <li className={`${runs ? "running" : ""}${isChosen ? " chosen" : ""}`.trim()} aria-current={runs ? "step" : undefined}
       {...(number !== null ? { "data-block": number } : {})}
     >
-      {text.split("\n").map((line, n) => <code key={n} className={isChosen && q === qOfLine(line) ? "chosen-line" : ""}>{line || " "}
-      </code>)}
+      {lines.map((line, n) => <code key={n} className={isChosen && q === qOfLine(line) ? "chosen-line" : ""}>{line || " "}</code>)}
       {runs && <span className="unseen">({t.running})</span>}
     </li>
   );
