@@ -38,6 +38,8 @@ export interface FindingEntry {
   readonly residual: number | null;
   /** Diameter of the largest circle in what stays, mm. */
   readonly thickness: number | null;
+  /** Where it stands for a row of its like, of which it is the largest: how many they are, and what stays in all of them, mm². */
+  readonly alike?: { readonly places: number; readonly area: number } | undefined;
 }
 
 const toDo: ReadonlySet<string> = new Set(["missing", "unknownParameter"]);

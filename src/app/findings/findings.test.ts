@@ -63,6 +63,19 @@ test("a tool that cannot do it is the cause, and nothing that only follows from 
   expect(toneOf(verdict)).toBe("bad");
 });
 
+test("many places with the same left over are one finding, with all of it; a few are listed one by one", () => {
+  const { entries, verdict } = found(jobOf(832));
+  const stays = entries.filter(({ issue }) => issue.code === "materialLeft");
+  expect(stays).toHaveLength(1);
+  expect(stays[0]?.alike).toMatchObject({ places: 17 });
+  expect(stays[0]?.alike?.area).toBeCloseTo(1.514, 3);
+  expect(verdict.stays).toBe(stays[0]?.alike?.area);
+  expect(stays[0]?.spot?.mark).toBe("A");
+  const few = found(jobOf(812, withPrompt("Q500", "0"))).entries.filter(({ issue }) => issue.code === "materialLeft");
+  expect(few.map(({ alike }) => alike)).toEqual(few.map(() => undefined));
+  expect(few.length).toBeGreaterThan(0);
+});
+
 test("worst first, each place of the picture with its own mark", () => {
   const { entries } = found(jobOf(812, (job) => ({ ...withPrompt("Q500", "0")(job), start: { x: "71.3", z: "-9.7" } })));
   const weight = { error: 0, warning: 1, info: 2 };

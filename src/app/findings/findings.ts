@@ -89,6 +89,30 @@ function withoutEchoes(all: readonly Found[]): readonly Found[] {
   });
 }
 
+/** So many places are listed one by one, though the same operation left all of them for the same reason. */
+const FEW = 5;
+
+/** Many places where the same stays, as between the grooves of a thread, are one finding, which names the largest. */
+function withoutRows(all: readonly Found[]): readonly Found[] {
+  const areaOf = ({ issue }: Found) => (issue.code === "materialLeft" ? issue.data.area : 0);
+  const rows = new Map<string, Found[]>();
+  for (const found of all) {
+    const { issue, operation, residual } = found;
+    if (issue.code !== "materialLeft" || residual === null) continue;
+    const kind = `${operation} ${issue.data.reason} ${issue.severity}`, row = rows.get(kind);
+    if (row) row.push(found);
+    else rows.set(kind, [found]);
+  }
+  const shown = new Map<Found, Found | null>();
+  for (const row of rows.values()) {
+    if (row.length <= FEW) continue;
+    const largest = row.reduce((a, b) => (areaOf(b) > areaOf(a) ? b : a));
+    const alike = { places: row.length, area: row.reduce((sum, each) => sum + areaOf(each), 0) };
+    for (const each of row) shown.set(each, each === largest ? { ...each, alike } : null);
+  }
+  return all.flatMap((found) => shown.get(found) === null ? [] : [shown.get(found) ?? found]);
+}
+
 /** Numbers for what was found at a place, letters for what stays, in the order of the list. */
 function marked(entries: readonly FindingEntry[]): readonly FindingEntry[] {
   let [numbers, letters] = [0, 0];
@@ -107,7 +131,7 @@ export function findingsOf(read: JobReading | null, outcome: Outcome | null): re
   const early = read ? typed(read) : [];
   const late = outcome && (!read || read.reading.values) ? calculated(outcome) : [];
   const all = new Map<string, FindingEntry>();
-  for (const found of withoutEchoes([...early, ...late])) {
+  for (const found of withoutRows(withoutEchoes([...early, ...late]))) {
     const { issue, at, line, inFile } = found;
     // The text of a job is made from its prompts: what both say is said once.
     const key = JSON.stringify([issue.code, at, issue.data, read ? null : line, inFile]);
