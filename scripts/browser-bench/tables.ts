@@ -44,6 +44,10 @@ export function frameTable(results: readonly ScreenResults[]): string[] {
   return ["", ...markdownTable(2, ["frames", "", "empty /s", "/s", "share", "limit", "p95 ms", "worst ms", "tasks > 50 ms"], rows)];
 }
 
+/**
+ * A part of the time to the path is waiting for the screen's next picture, which no quicker machine shortens: the limit is kept in ms, or,
+ * where the machine is slower than the one that is meant, as a ratio.
+ */
 function keyRow(screen: Screen, name: string, { reference, digit, path, picture, long, longest }: KeyResult): string[] {
   const times = [digit.median, path.median, path.p95, picture.median, picture.p95].map((time) => time.toFixed(0));
   const ratios = [path.median, picture.median].map((time) => (time / reference).toFixed(1));
@@ -54,7 +58,7 @@ function keyRow(screen: Screen, name: string, { reference, digit, path, picture,
     ...times,
     reference.toFixed(1),
     ...ratios,
-    missed(limit, path.median / reference <= most),
+    missed(limit, path.median <= screen.key || path.median / reference <= most),
     longTasks({ long, longest }),
   ];
 }
