@@ -1,5 +1,6 @@
 import { readFileSync } from "node:fs";
 import { dragFinger } from "./pages/finger.ts";
+import { fits } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { pictureAt, settledBox } from "./pages/picture.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -151,4 +152,31 @@ test("a wrong infeed is mended by touch: the pass in the picture, its prompt, th
   await dialog.key(3).tap();
   await dialog.key("enterLong").tap();
   await expect(passes).toHaveText("25");
+});
+
+/** Phones and tablets, held upright and lying, windows of half a screen, and a notebook. */
+const SCREENS = ["320x640", "390x844", "600x960", "768x1024", "844x390", "800x600", "900x600", "1024x768", "1280x800"] as const;
+
+test("nothing sticks out of any screen, with usual and with large letters, where words are long", async ({ page }) => {
+  const turnwise = await Turnwise.open(page, { language: "fr" });
+  const { settings } = turnwise;
+  const fitEverywhere = async (what: string) => {
+    for (const letters of ["usual", "presentation"] as const) {
+      await settings.open();
+      await settings.chooseLetters(letters);
+      await page.keyboard.press("Escape");
+      for (const screen of SCREENS) {
+        const [width = 0, height = 0] = screen.split("x").map(Number);
+        await page.setViewportSize({ width, height });
+        await fits(page, `${what} at ${screen}, ${letters} letters`);
+      }
+    }
+  };
+  await fitEverywhere("the start");
+  // Five tabs, one with a count.
+  await turnwise.start.beginEmpty(860);
+  await fitEverywhere("a dialog with a contour");
+  await page.getByRole("link", { name: turnwise.t.page.home }).click();
+  await turnwise.editor.openExample("flange");
+  await fitEverywhere("a program");
 });

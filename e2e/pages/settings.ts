@@ -30,6 +30,11 @@ export class SettingsPage {
     await this.context.page.getByRole("button", { name: texts(language).page.close, exact: true }).click();
   }
 
+  /** Makes all letters larger, or as large as usual, with the dialog open. */
+  async chooseLetters(size: "usual" | "presentation"): Promise<void> {
+    await this.dialog.getByRole("combobox", { name: this.context.t.page.size, exact: true }).selectOption(size);
+  }
+
   /** The button that saves all works, tools, own cycles, settings and the progress of the course as one file. */
   get saveAll(): Locator {
     return this.dialog.getByRole("button", { name: this.device.exportLong, exact: true });

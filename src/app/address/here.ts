@@ -7,7 +7,7 @@ import { notice, openWork } from "../saving/keep.ts";
 import { useEditor } from "../store.ts";
 import { hideTools, openRow, showKind, showToolNumber, showTools, useToolPlace } from "../tools/tool-place.ts";
 import { toolsOnDevice, useTools } from "../tools/tool-store.ts";
-import { holds } from "../use-media.ts";
+import { thirdColumn } from "../use-media.ts";
 import { hideWhich, showWhich, useWhichPlace } from "../which/which-place.ts";
 import { useWorksPlace } from "../works/works-place.ts";
 import { hideSheet, sheetIsShown, showSheet } from "../sheet/sheet-place.ts";
@@ -18,7 +18,7 @@ const JOB_SECTIONS: readonly WorkSection[] = ["prompts", "setup", "contour", "fi
 const PROGRAM_SECTIONS: readonly WorkSection[] = ["text", "block", "structure", "findings"];
 
 /** The section of a program that is shown first: where its text stands beside it, its parts. */
-const firstOfProgram = (): WorkSection => (holds("wide") ? "structure" : "text");
+const firstOfProgram = (): WorkSection => (thirdColumn() ? "structure" : "text");
 
 /** The section that an opened program begins with, where none was asked for. */
 export function beginProgram(): void {
