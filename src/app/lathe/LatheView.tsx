@@ -23,7 +23,6 @@ import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { useMedia } from "../use-media.ts";
 import { ChosenPath, HoveredMove } from "./Chosen.tsx";
-import { GhostPaths } from "./Ghost.tsx";
 import { GlyphButton } from "./GlyphButton.tsx";
 import { pressKey } from "./keys.ts";
 import { AskedMarks, KnownMarks, knownText } from "./KnownMarks.tsx";
@@ -60,6 +59,7 @@ import { Outdated } from "./Outdated.tsx";
 /** Fetched for a program that has approaches. */
 const TurnPoints = lazyPart(async () => ({ default: (await import("../approach/TurnPoints.tsx")).TurnPoints }));
 /** Fetched when the turned body is looked at in space. */
+const GhostPaths = lazyPart(async () => ({ default: (await import("./Ghost.tsx")).GhostPaths }));
 const SolidView = lazyPart(async () => ({ default: (await import("../solid/SolidView.tsx")).SolidView }));
 const WhichCycle = lazyPart(async () => ({ default: (await import("../which/WhichCycle.tsx")).WhichCycle }));
 
@@ -209,7 +209,9 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
               <Picture of={run} viewport={viewport} scene={scene} moving={moving} waiting={waiting} gouges={gouges} residual={residual}
                 section={section} name={t.pictures[section](state)} path={path.stretches} ghosts={
                 <Late>
-                  <GhostPaths scene={scene} clock={clock} />
+                  <Suspense>
+                    <GhostPaths scene={scene} clock={clock} />
+                  </Suspense>
                 </Late>
               } chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
                 hovered={<HoveredMove run={run} hover={hover} />}
