@@ -8,6 +8,8 @@ import { useSettings } from "../settings/settings.ts";
 
 /** How long the path stays to be seen that a change has replaced, ms. */
 const STAYS = 2000;
+/** It goes in so many steps, ms apart: each of them has the whole picture painted. */
+const STEPS = 3, STEP = 250;
 
 /** Longer paths have no ghost: a change must be seen at once, characters of path data. */
 const MOST = 400_000;
@@ -18,13 +20,20 @@ function pathOf({ shapes }: Pick<Scene, "shapes">): readonly Shape[] {
 }
 const sameShapes = (a: readonly Shape[], b: readonly Shape[]) => a.length === b.length && a.every(({ d }, i) => d === b[i]?.d);
 
+/** Comes back when the next step is due; where time is held, with its next picture. */
+function soon(clock: Clock, go: (now: number) => void): () => void {
+  if (!clock.flows) return clock.frame(go);
+  const timer = setTimeout(() => go(clock.now()), STEP);
+  return () => clearTimeout(timer);
+}
+
 const Lines = ({ shapes, className }: { readonly shapes: readonly Shape[]; readonly className: string }) => (
   <g className={className}>{shapes.map(({ role, d }) => <path key={role} className={`shape-ghost shape-ghost-${role}`} d={d} />)}</g>
 );
 
 /**
- * The path before the last change: it fades in two seconds, or without motion stays as long and goes at once. The browser fades it by
- * itself, so that the next key has the page for itself; only held time is followed picture by picture.
+ * The path before the last change: it stays for two seconds and fades at their end, or without motion goes at once. Faded by the browser
+ * from its beginning it would have all of the picture looked at 60 times a second, while the next key waits.
  */
 function Former({ scene, clock }: { readonly scene: Scene; readonly clock: Clock }) {
   const motion = useSettings((s) => s.motion);
@@ -38,22 +47,16 @@ function Former({ scene, clock }: { readonly scene: Scene; readonly clock: Clock
   }
   useEffect(() => {
     if (!former) return undefined;
-    const gone = () => show(null), still = reducedMotion({ motion });
-    if (clock.flows && lines.current?.animate) {
-      const fading = lines.current.animate({ opacity: still ? [1, 1] : [1, 0] }, STAYS);
-      fading.onfinish = gone;
-      return () => fading.cancel();
-    }
-    const begun = clock.now();
-    let stop: (() => void) | null = null;
-    const picture = (now: number) => {
-      const left = 1 - (now - begun) / STAYS;
-      if (left <= 0) return gone();
-      if (!still && lines.current) lines.current.style.opacity = String(left);
-      stop = clock.frame(picture);
+    const begun = clock.now(), still = reducedMotion({ motion });
+    let stop = () => undefined as void;
+    const fade = (now: number) => {
+      const left = Math.ceil((begun + STAYS - now) / STEP);
+      if (left <= 0) return show(null);
+      if (lines.current) lines.current.style.opacity = still ? "" : String(Math.min(1, left / STEPS));
+      stop = soon(clock, fade);
     };
-    stop = clock.frame(picture);
-    return () => stop?.();
+    fade(begun);
+    return () => stop();
   }, [former, clock, motion]);
   return former && (
     <g ref={lines}>
