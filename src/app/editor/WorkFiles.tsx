@@ -1,4 +1,4 @@
-import { useEffect, useMemo, useRef } from "react";
+import { useEffect, useMemo, useRef, useState } from "react";
 import { useOutcome } from "../engine/outcome.ts";
 import { askForFiles } from "../files/file-handle.ts";
 import { missingFiles } from "../files/missing-files.ts";
@@ -83,13 +83,16 @@ function List({ program, missing }: { readonly program: ProgramWork; readonly mi
 export function WorkFiles() {
   const t = useTexts().editor.files;
   const program = useEditor((s) => s.program);
+  const work = useEditor((s) => s.work);
   const newest = useOutcome((s) => s.newest);
   const missing = useMemo(() => (program ? missingFiles(program, newest) : []), [program, newest]);
-  if (!program) return null;
-  const isAlone = filesOf(program).length + missing.length === 0;
-  // Whether a file that was taken out is missed is only known when the program has run without it.
-  const ranWithMore = newest?.files !== undefined && newest.files.length > 0;
-  if (isAlone && !ranWithMore) return null;
+  const [last, keep] = useState({ work, isShown: false });
+  const isAlone = !program || filesOf(program).length + missing.length === 0;
+  // Whether a file that was taken out is missed is only known when the program has run without it: until then the list stays as it is.
+  const stays = newest ? (newest.files ?? []).length > 0 : last.isShown && last.work === work;
+  const isShown = program !== null && (!isAlone || stays);
+  if (last.work !== work || last.isShown !== isShown) keep({ work, isShown });
+  if (!program || !isShown) return null;
   return (
     <section className="work-files" aria-label={t.title}>
       <header>

@@ -44,3 +44,25 @@ test("the keyboard stays in the list of files while the program runs without the
   expect(document.activeElement).toBe(screen.getByRole("button", { name: t.show(MAIN.name) }));
   expect(screen.getByRole("button", { name: t.addOne("DEFINES.H") })).toBeTruthy();
 });
+
+test("the keyboard stays in the list when the last file is taken out before the program that runs now has run at all", async () => {
+  const t = en.editor.files;
+  render(<WorkFiles />);
+  answer();
+  // Another file runs, and nothing of before counts.
+  act(forgetOutcome);
+  await userEvent.setup().click(screen.getByRole("button", { name: t.remove(BESIDE.name) }));
+  expect(document.activeElement).toBe(screen.getByRole("button", { name: t.show(MAIN.name) }));
+  answer();
+  expect(document.activeElement).toBe(screen.getByRole("button", { name: t.show(MAIN.name) }));
+});
+
+test("a work of one file has no list, also when one with more files was open before it", () => {
+  render(<WorkFiles />);
+  answer();
+  act(() => {
+    forgetOutcome();
+    useEditor.setState({ work: "v", program: { ...BESIDE } });
+  });
+  expect(screen.queryByRole("region")).toBeNull();
+});
