@@ -28,9 +28,14 @@ async function broken(page: Page, rules?: string[]): Promise<readonly string[]> 
 const excess = (page: Page): Promise<number> =>
   page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
 
-/** Nothing sticks out of the screen sideways; of one of several screens its name is told, and the journey goes on. */
-export const fits = async (page: Page, screen: string): Promise<void> =>
-  expect.soft(await excess(page), `width of ${screen}`).toBeLessThanOrEqual(0);
+const softly = expect.configure({ soft: true });
+
+/**
+ * Nothing sticks out of the screen sideways, when the page has arranged itself; of one of several screens its name is told, and the journey
+ * goes on.
+ */
+export const fits = (page: Page, screen: string): Promise<void> =>
+  softly.poll(() => excess(page), { message: `width of ${screen}`, timeout: 5000 }).toBeLessThanOrEqual(0);
 
 /** No violation of the rules of axe. */
 export const accessible = async (page: Page): Promise<void> => expect(await broken(page)).toEqual([]);

@@ -92,7 +92,7 @@ export function WorkFiles() {
   const stays = newest ? (newest.files ?? []).length > 0 : last.isShown && last.work === work;
   const isShown = program !== null && (!isAlone || stays);
   if (last.work !== work || last.isShown !== isShown) keep({ work, isShown });
-  if (!program || !isShown) return null;
+  if (!isShown) return null;
   return (
     <section className="work-files" aria-label={t.title}>
       <header>
