@@ -13,7 +13,8 @@ const NOTHING: Outline = {
 
 /** A cycle that acts where it is defined: it has neither contour nor path, and is no work by itself. */
 export const defineActing = <const P extends Params,
-  const N extends number>(cycle: Pick<Cycle<P, N>, "number" | "evidence" | "params"> & { readonly acts: Acting }): Cycle<P, N> => ({
+  const N extends number>(cycle: Pick<Cycle<P, N>, "number" | "evidence" | "partly" | "params"> & { readonly acts: Acting }): Cycle<P,
+  N> => ({
     ...cycle,
     group: "special",
     manual: null,

@@ -74,7 +74,8 @@ export const allowanceSetups: Setups = (draw) => {
     },
     contour,
     tool: { T, TO: T === 11 ? (out > 0 ? 2 : 6) : TURNED[`${out}/${along}`] },
-    start: at(first.from.z + along * mm(draw, 0, 8), start),
+    // Now and then above the contour, from where the cycle goes in front of it.
+    start: at(first.from.z + along * mostly(draw, mm(draw, 0, 8), -mm(draw, 0, Math.abs(first.from.z - last.to.z))), start),
     blank: draw.one(bar, isPlain(cast) ? cast : bar),
   };
 };

@@ -5,6 +5,7 @@ import { empty } from "../kernel/strategy/leveled.ts";
 import { axial, perSide, radius, toDiameter } from "../kernel/units.ts";
 import { c812 } from "./c812.ts";
 import { c820 } from "./c820.ts";
+import { attested } from "./attested.ts";
 import { defineCycle, type Given } from "./define.ts";
 import { allowanceSetups } from "./allowance-setups.ts";
 import type { Setups } from "./drawn-setup.ts";
@@ -25,10 +26,11 @@ export const c815 = defineCycle({
   number: 815,
   group: "longitudinal",
   manual: null,
+  partly: { section: "Cycle 815", document: "TNC7, 81762x-17", parts: ["name", "start", "roughing", "firstFinishing"] },
   evidence: "K1",
   contour: "free",
   use: { shapes: ["step", "plunge", "free"], preTurned: true },
-  params: recalled({
+  params: attested(recalled({
     Q215,
     Q460,
     Q485: lengthParam("blankAllowance", [0, 99.999], 5, { incremental: true, shown: "allowance" }),
@@ -39,7 +41,7 @@ export const c815 = defineCycle({
     Q483,
     Q484,
     Q505,
-  }),
+  }), { Q463: "meaning", Q478: "meaning" }),
   setup: {
     name: "PARALLEL",
     tool: 2,

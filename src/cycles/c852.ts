@@ -42,7 +42,13 @@ export const c852 = defineCycle({
       decimals: 4,
       shown: "depthCompensation",
     }),
-    Q488: feedParam("plungingFeed", [0, 99999.999], 0, { optional: true, rangeEvidence: "I", shown: "plungingFeed", counts: roughs }),
+    Q488: feedParam("plungingFeed", [0, 99999.999], 0, {
+      optional: true,
+      rangeEvidence: "I",
+      shown: "plungingFeed",
+      counts: roughs,
+      filledIn: 0,
+    }),
   },
   // The groove is printed 20 mm behind Z0, and its tool is 35 mm long: the face of this blank stands where the groove starts.
   setup: {

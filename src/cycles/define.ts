@@ -102,11 +102,16 @@ export interface Acting {
   readonly neutral: Readonly<Record<string, readonly number[]>>;
 }
 
+/** What a page may print of a cycle beside its list: the name in NC text, what it does, where it starts, how it roughs and finishes. */
+export type AttestedPart = "name" | "purpose" | "start" | "roughing" | "firstFinishing";
+
 export interface Cycle<P extends Params = Params, N extends number = number> {
   readonly number: N;
   readonly group: Group;
   /** Section and document of the manual page this follows; null where none that we hold prints the cycle. */
   readonly manual: { readonly section: string; readonly document: string; readonly page?: number } | null;
+  /** Of a cycle whose list no page prints: what of it a page prints all the same. */
+  readonly partly?: { readonly section: string; readonly document: string; readonly parts: readonly AttestedPart[] };
   /** How far the list of its parameters can be trusted. */
   readonly evidence: Evidence;
   /** "own": from its Q values; "free": from a contour subprogram named by cycle 14; "none": it cuts nothing. */

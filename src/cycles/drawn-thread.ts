@@ -1,6 +1,6 @@
 import { contourFrom, type ContourElement } from "../kernel/contour.ts";
 import { at } from "../kernel/point.ts";
-import { METRIC } from "../kernel/strategy/thread.ts";
+import { METRIC } from "../kernel/metric-thread.ts";
 import type { TipOrientation } from "../kernel/tool.ts";
 import { rounded, toDiameter } from "../kernel/units.ts";
 import { box, half, mm, mostly, type Draw, type DrawnSetup, type Setups } from "./drawn-setup.ts";

@@ -77,6 +77,8 @@ export interface Param<K extends Kind = Kind, T extends string = string> {
   readonly rounds: boolean;
   /** A feed of axes that do not cut: M136 does not make it one per revolution. */
   readonly perMinute: boolean;
+  /** What a control fills in where a list written by older software lacks this parameter (K2); null where no list may. */
+  readonly filledIn: number | null;
 }
 
 export type Params = Readonly<Record<string, Param>>;
@@ -95,6 +97,7 @@ interface Options {
   counts?: Condition;
   rounds?: boolean;
   perMinute?: boolean;
+  filledIn?: number;
 }
 
 function param<K extends Kind, T extends string>(
@@ -123,6 +126,7 @@ function param<K extends Kind, T extends string>(
     counts: o.counts ?? (o.sizes === undefined ? null : { q: o.sizes, among: [1, 2] }),
     rounds: o.rounds ?? false,
     perMinute: o.perMinute ?? false,
+    filledIn: o.filledIn ?? null,
   };
 }
 

@@ -1,7 +1,7 @@
 import type { Frame } from "../kernel/flat.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import { part, type Pt } from "../kernel/point.ts";
-import { METRIC } from "../kernel/strategy/thread.ts";
+import { METRIC } from "../kernel/metric-thread.ts";
 import { ROUND } from "../kernel/tolerance.ts";
 import { axial, radians, radius, rounded, STEP, toRadius, type Axial, type Degrees, type Diameter, type Length } from "../kernel/units.ts";
 import type { Dimension, Outline } from "./define.ts";

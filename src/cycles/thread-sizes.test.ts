@@ -9,6 +9,8 @@ test("a size is found however it is typed", () => {
   expect(named("m20x1,5")).toEqual(["M20×1.5"]);
   expect(named("M20")).toEqual(["M20", "M20×2", "M20×1.5", "M20×1"]);
   expect(named("M20x2.5")).toEqual(["M20"]);
+  // Without a coarse pitch there is no size that is named by its diameter alone.
+  expect(named("M40")).toEqual(["M40×3", "M40×2", "M40×1.5"]);
   expect(named("G½")).toEqual(["G1/2"]);
   expect(named('g 1 1/2"')).toEqual(["G1 1/2"]);
   expect(named("Tr 20 x 4")).toEqual(["Tr20×4"]);

@@ -1,4 +1,4 @@
-import { METRIC } from "../kernel/strategy/thread.ts";
+import { METRIC, METRIC_SIZES } from "../kernel/metric-thread.ts";
 import { rounded } from "../kernel/units.ts";
 import type { ThreadRoles } from "./define.ts";
 
@@ -14,40 +14,6 @@ export interface ThreadSize {
   readonly outside: { readonly diameter: number; readonly depth: number };
   readonly inside: { readonly diameter: number; readonly depth: number };
 }
-
-/** Diameter, coarse pitch, fine pitches. */
-const METRIC_SIZES: readonly (readonly [diameter: number, coarse: number, ...fine: number[]])[] = [
-  [1.6, 0.35],
-  [2, 0.4],
-  [2.5, 0.45],
-  [3, 0.5],
-  [3.5, 0.6],
-  [4, 0.7],
-  [5, 0.8],
-  [6, 1],
-  [7, 1],
-  [8, 1.25, 1],
-  [10, 1.5, 1.25, 1],
-  [12, 1.75, 1.5, 1.25, 1],
-  [14, 2, 1.5],
-  [16, 2, 1.5, 1],
-  [18, 2.5, 2, 1.5, 1],
-  [20, 2.5, 2, 1.5, 1],
-  [22, 2.5, 2, 1.5, 1],
-  [24, 3, 2, 1.5, 1],
-  [27, 3, 2, 1.5, 1],
-  [30, 3.5, 2, 1.5, 1],
-  [33, 3.5, 2, 1.5],
-  [36, 4, 3, 2, 1.5],
-  [39, 4, 3, 2, 1.5],
-  [42, 4.5, 3, 2, 1.5],
-  [45, 4.5, 3, 2, 1.5],
-  [48, 5, 3, 2, 1.5],
-  [52, 5, 4, 3, 2, 1.5],
-  [56, 5.5, 4, 3, 2, 1.5],
-  [60, 5.5, 4, 3, 2, 1.5],
-  [64, 6, 4, 3, 2, 1.5],
-];
 
 /** Name in inches, major diameter, threads per inch. */
 const PIPE_SIZES: readonly (readonly [inches: string, diameter: number, perInch: 28 | 19 | 14 | 11])[] = [
@@ -144,7 +110,12 @@ function trapezoidal(diameter: number, pitch: number): ThreadSize {
 
 /** Every size that can be chosen by name. */
 export const threadSizes: readonly ThreadSize[] = [
-  ...METRIC_SIZES.flatMap(([diameter, ...pitches]) => pitches.map((pitch, i) => metric(diameter, pitch, i === 0))),
+  ...METRIC_SIZES.flatMap(
+    ([nominal, coarse, ...fine]) => [
+      ...(coarse === null ? [] : [metric(nominal, coarse, true)]),
+      ...fine.map((pitch) => metric(nominal, pitch, false)),
+    ]
+  ),
   ...PIPE_SIZES.map((size) => pipe(...size)),
   ...TRAPEZOIDAL_SIZES.map((size) => trapezoidal(...size)),
 ];

@@ -71,6 +71,8 @@ interface Data {
   runInShort: { runIn: number; needed: number; speed: number; nearest?: number };
   /* start point and limits */
   startInArea: { x: number; z: number };
+  /** The start point lies behind the contour start, mm along the axis: the tool goes to the clearance in front of it. */
+  startBehindContour: { behind: number; clearance: number };
   startInMaterial: { x: number; z: number };
   /** mm across the cutting direction. */
   startBelowContour: { below: number };
@@ -112,6 +114,8 @@ interface Data {
   undercutNeighbours: { element: number };
   /** A word of an undercut or recess that is missing, or whose value makes no shape. */
   recessWord: { element: number; word: string };
+  /** Two words of a recess that say the same thing in two ways: it takes one of them. */
+  recessWordsExclusive: { element: number; word: string; other: string };
   /** Words that the standard gave because the block has none. */
   undercutDefaults: { element: number; words: string };
   /* working plane: compensation, approach and departure. Of a place, milling has x and y; turning x (⌀) and z */

@@ -8,6 +8,9 @@ import { undercutShape, type Undercut } from "./undercut.ts";
 
 const { lengthOf, line } = part;
 
+/** Decimals of a word that the standard gave, as it is told. */
+const DECIMALS = 4;
+
 /** An undercut or recess of a contour, its element number, and the segment behind which it was programmed. */
 export interface Inset {
   readonly recess: Undercut | Groove;
@@ -71,7 +74,7 @@ function putUndercut(chain: ContourChain, undercut: Undercut, element: number, i
   const points = ordered.map((v) => at(corner.z + awayZ * v.u, corner.r + awayR * v.v));
   const ends = [one.from, ...points, two.to];
   replace(chain, index, 2, ends.slice(1).map((to, i) => line(ends[i] ?? to, to)), ordered.map((v) => v.corner), element);
-  const given = Object.entries(shape.defaults).map(([word, n]) => `${word}${n}`).join(" ");
+  const given = Object.entries(shape.defaults).map(([word, n]) => `${word}${Number(n.toFixed(DECIMALS))}`).join(" ");
   return given === "" ? [] : [issue("undercutDefaults", "info", { element, words: given }, "contour")];
 }
 
@@ -80,6 +83,8 @@ function putGroove(chain: ContourChain, groove: Groove, element: number, index: 
   if (!on) return [issue("undercutNeighbours", "error", { element }, "contour")];
   const shape = grooveShape(groove, on);
   if (shape === "wrongElement") return [issue("undercutNeighbours", "error", { element }, "contour")];
+  if ("other" in shape)
+    return [issue("recessWordsExclusive", "error", { element, word: shape.word, other: shape.other }, "contour")];
   if ("word" in shape) return [issue("recessWord", "error", { element, word: shape.word }, "contour")];
   if ("breadth" in shape) return [tooLong(element, shape.breadth, shape.room)];
   const [signZ, signR] = [Math.sign(on.to.z - on.from.z), Math.sign(on.to.r - on.from.r)];

@@ -41,6 +41,8 @@ export interface Tool {
   readonly XL?: Length;
   readonly DZL?: Length;
   readonly DXL?: Length;
+  /** Oversize of length 3, along Y: off the plane that is turned in. */
+  readonly DYL?: Length;
   readonly DRS?: Length;
   readonly ORI?: Degrees;
   readonly "T-ANGLE"?: Degrees;

@@ -1,5 +1,6 @@
-import type { Diameter } from "./units.ts";
+import { nominalOfBore } from "./metric-thread.ts";
 import { ROUND } from "./tolerance.ts";
+import type { Diameter } from "./units.ts";
 
 /** Measures of an undercut, mm. */
 export interface UndercutMeasures {
@@ -9,7 +10,10 @@ export interface UndercutMeasures {
   readonly FACEDEPTH: number;
 }
 
-/** Up to diameter: radius, depth, breadth, depth into the face (recalled from DIN 509, forms E and F; see decision 0005). */
+/**
+ * Up to diameter: radius, depth, breadth, depth into the face. DIN 509, forms E and F, printed for HEIDENHAIN lathes (tag L: MANUALplus 620
+ * p. 581, CNC PILOT 640 p. 617; decision 0005).
+ */
 const DIN_509: readonly (readonly [upTo: number, R: number, DEPTH: number, BREADTH: number, FACEDEPTH: number])[] = [
   [1.6, 0.1, 0.1, 0.5, 0.1],
   [3, 0.2, 0.1, 1, 0.1],
@@ -19,7 +23,11 @@ const DIN_509: readonly (readonly [upTo: number, R: number, DEPTH: number, BREAD
   [Infinity, 1, 0.4, 4, 0.3],
 ];
 
-/** Pitch, radius, then diameter difference and breadth outside, and the same inside (recalled from DIN 76; see decision 0005). */
+/**
+ * Pitch, radius, then diameter difference and breadth outside, and the same inside. DIN 76, printed for HEIDENHAIN lathes (tag L:
+ * MANUALplus 620, 12/2017, p. 685, CNC PILOT 640 p. 574, CNC PILOT 4290 p. 438; decision 0005). MANUALplus 4110 p. 525 has 0.3 for
+ * pitch 0.45 inside.
+ */
 const DIN_76: readonly (readonly [pitch: number, R: number, outside: number, broad: number, inside: number, broadInside: number])[] = [
   [0.2, 0.1, 0.3, 0.7, 0.1, 1.2],
   [0.25, 0.12, 0.4, 0.9, 0.1, 1.4],
@@ -54,10 +62,19 @@ export function undercutOfDiameter(diameter: Diameter): UndercutMeasures {
   return { R, DEPTH, BREADTH, FACEDEPTH };
 }
 
-/** What DIN 76 gives for a thread of this pitch; null for a pitch that is not in its list. */
-export function undercutOfPitch(pitch: number, inside: boolean): UndercutMeasures | null {
+/** A thread beside its undercut: a shaft, or the bore that is programmed before it. */
+export type ThreadedCylinder = "shaft" | { readonly bore: Diameter };
+
+/**
+ * What DIN 76 gives for a thread of this pitch; null for a pitch that is not in its list. Inside the floor lies at nominal + I, so its
+ * depth counts from the bore: (nominal + I − bore) / 2.
+ */
+export function undercutOfPitch(pitch: number, cylinder: ThreadedCylinder): UndercutMeasures | null {
   const row = DIN_76.find(([listed]) => Math.abs(listed - pitch) < ROUND);
   if (!row) return null;
-  const [, R, outer, broad, inner, broadInside] = row;
-  return { R, DEPTH: (inside ? inner : outer) / 2, BREADTH: inside ? broadInside : broad, FACEDEPTH: 0 };
+  const [listed, R, outer, broad, inner, broadInside] = row;
+  const [apart, BREADTH] = cylinder === "shaft"
+    ? [outer, broad]
+    : [nominalOfBore(cylinder.bore, listed) + inner - cylinder.bore, broadInside];
+  return { R, DEPTH: apart / 2, BREADTH, FACEDEPTH: 0 };
 }

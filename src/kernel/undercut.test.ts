@@ -98,9 +98,30 @@ describe("UDC", () => {
     expect(c.issues).toMatchObject([{ code: "undercutDefaults", data: { words: "R1 DEPTH1.5 BREADTH7 ANGLE30" } }]);
     expect(c.segments[0]?.to.z).toBeCloseTo(-23, 9);
     expect(Math.min(...c.segments.map((s) => s.to.r))).toBeCloseTo(18.5, 9);
-    expect(undercutOfPitch(2, true)).toMatchObject({ DEPTH: 0.25, BREADTH: 10.3 });
-    expect(undercutOfPitch(2.1, false)).toBeNull();
+    expect(undercutOfPitch(2, { bore: diameter(20) })).toMatchObject({ DEPTH: 0.25, BREADTH: 10.3 });
+    expect(undercutOfPitch(2.1, "shaft")).toBeNull();
     expect(undercutOfDiameter(diameter(100))).toMatchObject({ R: 1, DEPTH: 0.4, BREADTH: 4, FACEDEPTH: 0.3 });
+  });
+
+  // Floor at nominal + I: of a listed size that is programmed as such, of the size whose core the bore is, of one that no list has.
+  test.each<[bore: number, pitch: number, floor: number]>([
+    [17.835, 2, 20.5],
+    [17.98, 2, 20.5],
+    [20, 2, 20.5],
+    [37.835, 2, 40.5],
+    [38, 2, 40.5],
+    [40, 2, 40.5],
+    [17.294, 2.5, 20.5],
+    [17.5, 2.5, 20.5],
+    [8.376, 1.5, 10.5],
+    [6.647, 1.25, 8.5],
+    [2.459, 0.5, 3.3],
+    [2.013, 0.45, 2.7],
+    [91.7, 3, 95.4478],
+  ])("THREAD in a bore of %d with pitch %d has its floor at %d", (bore, PITCH, floor) => {
+    const c = contourFrom([to(0, bore / 2), to(-50, bore / 2), udc("THREAD", { PITCH }), to(-50, 0.3)]);
+    expect(c.issues).toMatchObject([{ code: "undercutDefaults" }]);
+    expect(Math.max(...c.segments.map((s) => s.to.r))).toBeCloseTo(floor / 2, 6);
   });
 
   test.each<[string, ContourElement, object]>([
@@ -143,8 +164,8 @@ describe("GRV", () => {
     expectPoints(c.segments, [[0, 20], [-9, 20], [-10, 19], [-10, 15], [-20, 15], [-20, 19], [-21, 20], [-30, 20], [-30, 30]]);
   });
 
-  test("ANGLE stands between the walls, DIAM names the floor, R rounds it", () => {
-    const c = shaft(grv("radial", { CENTER: -15, DIAM: 16, BREADTH: 10, ANGLE: 90, R: 0.5 }));
+  test.each([{ ANGLE: 45 }, { ANG_WIDTH: 90 }])("%j: both flanks lean by 45°, DIAM names the floor, R rounds it", (angle) => {
+    const c = shaft(grv("radial", { CENTER: -15, DIAM: 16, BREADTH: 10, R: 0.5, ...angle }));
     // Walls at 45 degrees; the rounding takes 0.5 tan 22.5 = 0.207107 off floor and wall.
     expectPoints(c.segments, [
       [0, 20],
@@ -157,6 +178,12 @@ describe("GRV", () => {
       [-30, 20],
       [-30, 30],
     ]);
+  });
+
+  test("ANGLE inclines each flank against the perpendicular to the element", () => {
+    const c = shaft(grv("radial", { CENTER: -15, DEPTH: -2.5, BREADTH: 10.4, ANGLE: 31.7 }));
+    // 2.5 tan 31.7 = 1.544029.
+    expectPoints(c.segments, [[0, 20], [-9.8, 20], [-11.344029, 17.5], [-18.655971, 17.5], [-20.2, 20], [-30, 20], [-30, 30]]);
   });
 
   test("AXIAL in a face, and two recesses in one cylinder in any order", () => {
@@ -180,9 +207,33 @@ describe("GRV", () => {
       code: "cornerElementTooLong",
       data: { size: 12, max: 10 },
     }],
-    ["walls that meet above the floor", grv("radial", { CENTER: -15, DEPTH: -5, BREADTH: 10, ANGLE: 90 }), {
+    ["flanks that meet above the floor", grv("radial", { CENTER: -15, DEPTH: -5, BREADTH: 10, ANGLE: 45 }), {
       code: "recessWord",
       data: { word: "ANGLE" },
+    }],
+    ["an opening angle whose flanks meet above the floor", grv("radial", { CENTER: -15, DEPTH: -5, BREADTH: 10, ANG_WIDTH: 90 }), {
+      code: "recessWord",
+      data: { word: "ANG_WIDTH" },
+    }],
+    ["a flank along its element", grv("radial", { CENTER: -15, DEPTH: -5, BREADTH: 10, ANGLE: 90 }), {
+      code: "recessWord",
+      data: { word: "ANGLE" },
+    }],
+    ["an opening of a straight angle", grv("radial", { CENTER: -15, DEPTH: -5, BREADTH: 10, ANG_WIDTH: 180 }), {
+      code: "recessWord",
+      data: { word: "ANG_WIDTH" },
+    }],
+    ["depth and diameter", grv("radial", { CENTER: -15, DEPTH: -5, DIAM: 15, BREADTH: 10 }), {
+      code: "recessWordsExclusive",
+      data: { element: 3, word: "DIAM", other: "DEPTH" },
+    }],
+    ["flank and opening angle", grv("radial", { CENTER: -15, DEPTH: -5, BREADTH: 10, ANGLE: 10.5, ANG_WIDTH: 21 }), {
+      code: "recessWordsExclusive",
+      data: { element: 3, word: "ANG_WIDTH", other: "ANGLE" },
+    }],
+    ["a rounding and a chamfer on one edge", grv("radial", { CENTER: -15, DEPTH: -5, BREADTH: 10, FAR_RND: 1, FAR_CHF: 0.5 }), {
+      code: "recessWordsExclusive",
+      data: { element: 3, word: "FAR_CHF", other: "FAR_RND" },
     }],
   ])("%s is an error at the element", (_, e, expected) => {
     expect(shaft(e).issues).toMatchObject([expected]);

@@ -6,8 +6,8 @@ import { radians, type Diameter } from "./units.ts";
 export const UNDERCUT_FORMS = ["E", "F", "H", "K", "U", "THREAD"] as const;
 export type UndercutForm = (typeof UNDERCUT_FORMS)[number];
 /** Words of undercuts and recesses: lengths in mm, angles in degrees; DIAM and an axial CENTER are radii here. */
-export type RecessWord = "R" | "DEPTH" | "BREADTH" | "ANGLE" | "FACEDEPTH" | "FACEANGLE" | "ROT" | "PITCH" | "RND" | "CHF" | "CENTER"
-  | "DIAM" | "FAR_RND" | "FAR_CHF";
+export type RecessWord = "R" | "DEPTH" | "BREADTH" | "ANGLE" | "ANG_WIDTH" | "FACEDEPTH" | "FACEANGLE" | "ROT" | "PITCH" | "RND" | "CHF"
+  | "CENTER" | "DIAM" | "FAR_RND" | "FAR_CHF";
 export type RecessWords = { readonly [W in RecessWord]?: number };
 
 /** UDC: an undercut in the corner between a cylinder and a face. Words that are left out come from the standard. */
@@ -40,10 +40,10 @@ export const UNDERCUT_WORDS: Readonly<Record<UndercutForm, readonly RecessWord[]
   THREAD: ["PITCH", "R", "DEPTH", "BREADTH", "ANGLE"],
 };
 /** Words that are angles in degrees; the others are lengths. */
-export const ANGLE_WORDS: ReadonlySet<RecessWord> = new Set(["ANGLE", "FACEANGLE", "ROT"]);
+export const ANGLE_WORDS: ReadonlySet<RecessWord> = new Set(["ANGLE", "ANG_WIDTH", "FACEANGLE", "ROT"]);
 /** Words without which a form is complete. */
 const SPARE: ReadonlySet<RecessWord> = new Set(["R", "PITCH", "RND", "CHF"]);
-/** Forms with tables in a standard, and its angles for all. */
+/** Forms with tables in a standard; its angles for all. Those of E, F and THREAD are printed for HEIDENHAIN lathes (tag L). */
 const LISTED: ReadonlySet<UndercutForm> = new Set(["E", "F", "H", "THREAD"]);
 const DEFAULT_ANGLES: Readonly<Record<UndercutForm, RecessWords>> = {
   E: { ANGLE: 15 },
@@ -65,7 +65,7 @@ export const edgeElement = (round: number | undefined, chamfer: number | undefin
 
 /** What the standard gives for the words that are not there. */
 function defaultsOf({ form, words }: Undercut, diameter: Diameter, inside: boolean): RecessWords {
-  const table = form === "THREAD" ? undercutOfPitch(words.PITCH ?? 0, inside) : undercutOfDiameter(diameter);
+  const table = form === "THREAD" ? undercutOfPitch(words.PITCH ?? 0, inside ? { bore: diameter } : "shaft") : undercutOfDiameter(diameter);
   const measures: RecessWords = (LISTED.has(form) && table) || {};
   const missing = UNDERCUT_WORDS[form].flatMap(
     (w) => (words[w] === undefined && measures[w] !== undefined ? [[w, measures[w]] as const] : [])

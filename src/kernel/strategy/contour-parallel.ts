@@ -59,7 +59,8 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
     oversize: l.oversize,
   };
   const insert = insertIn(tool, l.frame);
-  const works = workingStart(l, contour, leadOf(insert));
+  const lead = leadOf(insert);
+  const works = workingStart(l, contour, lead);
   const refused = [unfit(tool, l.frame, TURNING), wrongStart(contour, called, setting, works)].filter((i) => i !== null);
   if (refused.length > 0) return { ...sketch, issues: refused };
   const issues: Issue[] = [];
@@ -75,8 +76,12 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
   const blank = groundOver(bounds, tool, l.frame, { u: 0, v: 0, round: l.allowance }, AROUND);
   const stands = atCall({ stock: setting.stock, area: sketch.area.map((p) => toFlat(l.frame, p)), frame: l.frame, insert }, drawn.bare,
     l.operation > 1 ? { grown: kept.bare, infeed: l.infeed } : null);
-  const start = startOf(l, called, blank);
-  if (start.v > called.v) issues.push(issue("startInArea", "warning", { x: toDiameter(setting.start.r), z: setting.start.z }, "start"));
+  const first = (contour[0] as FlatSegment).from;
+  const start = startOf(l, called, { u: first.u - lead - l.clearance, behind: first.u }, blank);
+  if (start.v > called.v || inAllowance(called, blank))
+    issues.push(issue("startInArea", "warning", { x: toDiameter(setting.start.r), z: setting.start.z }, "start"));
+  else if (start.u < called.u)
+    issues.push(issue("startBehindContour", "info", { behind: called.u - first.u, clearance: l.clearance }, "startU"));
   const room = roomOf(l.frame);
   const cutter = new Cutter(l.frame, setting.feedUnit, called, room, new Frontier(stands, insert), Math.max(called.v, start.v));
   back(cutter, start, l, l.operation > 1 ? "finish" : "rough", 0);
@@ -99,7 +104,7 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
     if (!divided) return { ...sketch, issues };
     passes = divided;
     if (passes.length === 0) issues.push(issue("nothingToCut", "warning", {}, "infeed"));
-    roughAlong(cutter, { ...follow, ground: kept }, passes, over);
+    roughAlong(cutter, { ...follow, ground: kept, backTo: start.v }, passes, over);
     back(cutter, start, l, "rough", 6);
   }
   if (l.operation !== 1) {
@@ -117,7 +122,10 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
   }, setting, l.frame.transverse ? "startU" : "startV");
 }
 
-/** The printed steps 1 to 5 of roughing: to the beginning of a pass, along the contour, lift, back, until the oversize is reached. */
+/**
+ * The printed steps 1 to 5 of roughing: infeed, along the contour, back to the start point in X at feed, at rapid to the beginning of the
+ * next pass, until the oversize is reached (TNC7, 81762x-17, topic "Cycle 815").
+ */
 function roughAlong(cutter: Cutter, follow: Finish, passes: readonly number[], over: (round: number) => Ground): void {
   let left = passes.reduce((sum, infeed) => sum + infeed, 0);
   passes.forEach((infeed, i) => {
@@ -138,10 +146,17 @@ function allowanceOf(l: ContourParallel, depth: number, over: (round: number) =>
 
 const greatest = (infeeds: readonly number[]) => Math.max(0, ...infeeds);
 
-/** Where the cycle starts from: where it is called, or straight above that out of the allowance. */
-function startOf(l: ContourParallel, called: Flat, blank: Ground): Flat {
-  const height = called.u < blank.first ? -Infinity : heightAt(blank.envelope, called.u);
-  return called.v < height - SAME ? { u: called.u, v: height + l.clearance } : called;
+/** Height of the allowance at a place of the tip; −∞ in front of it. */
+const allowanceAt = (blank: Ground, u: number) => (u < blank.first ? -Infinity : heightAt(blank.envelope, u));
+const inAllowance = ({ u, v }: Flat, blank: Ground): boolean => v < allowanceAt(blank, u) - SAME;
+
+/**
+ * Where the cycle starts from: where it is called; from behind the contour start along Z to the set-up clearance in front of it (as
+ * printed, for roughing and finishing alike); and straight above that out of the allowance.
+ */
+function startOf(l: ContourParallel, called: Flat, front: { readonly u: number; readonly behind: number }, blank: Ground): Flat {
+  const at = called.u > front.behind + SAME ? { u: front.u, v: called.v } : called;
+  return inAllowance(at, blank) ? { u: at.u, v: allowanceAt(blank, at.u) + l.clearance } : at;
 }
 
 /** A contour is not run towards the start point; nothing is run from the other side of the axis. */

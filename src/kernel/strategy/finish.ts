@@ -26,12 +26,15 @@ export interface Finish {
   readonly smoothing: boolean;
   /** Of a roughing pass along the contour, its number. */
   readonly pass?: number;
+  /** Height of the start point, to which the tool goes straight back at feed behind a pass that ends below it. */
+  readonly backTo?: number;
 }
 
 /**
  * The printed finishing steps: infeed at rapid to the clearance, the contour from start to end at feed, lift by the
- * clearance at feed. Going back to the cycle start is the caller's. A machining limit ends the cut, and it goes on where the
- * contour comes back from behind the limit.
+ * clearance at feed (behind a roughing pass along the contour: back to the height of the start point). Going back to the
+ * cycle start is the caller's. A machining limit ends the cut, and it goes on where the contour comes back from behind the
+ * limit.
  */
 export function followContour(cutter: Cutter, f: Finish, issues: Issue[]): void {
   const u0 = Math.max(f.ground.first, f.from);
@@ -40,7 +43,7 @@ export function followContour(cutter: Cutter, f: Finish, issues: Issue[]): void 
   const along = u1 > u0 + SAME ? pathAlong(f.ground.envelope, u0, u1) : [];
   const runs = u1 > u0 - SAME ? withinLimits([...along, ...outAt(f, Math.max(u0, u1))], f.ceiling) : [];
   if (runs.length === 0) return void issues.push(issue("nothingToCut", "warning", {}, "tool"));
-  const near = !roughing(f) && f.contour.some((s) => flat.distanceTo(s, f.start) < f.clearance);
+  const near = !roughing(f) && f.contour.some((s) => flat.distanceTo(s, f.start) < f.clearance - SAME);
   if (near) issues.push(issue("startInsideEnvelope", "warning", { clearance: f.clearance }, "start"));
   runs.forEach((run, i) => {
     const whole = i === 0 && f.ground.first >= f.from - SAME ? joined(f, run) : run;
@@ -50,7 +53,9 @@ export function followContour(cutter: Cutter, f: Finish, issues: Issue[]): void 
         f.smoothing && falls(s)
           ? { feed: f.feeds.plunge, purpose: { ...purpose(f, 2), plunging: true } }
           : { feed: feedOf(f), purpose: purpose(f, 2) });
-    cutter.leave(f.clearance, -1, f.ground.envelope, feedOf(f), purpose(f, 3));
+    if (f.backTo !== undefined && f.backTo > cutter.at.v + SAME)
+      cutter.feed({ u: cutter.at.u, v: f.backTo }, feedOf(f), purpose(f, 3));
+    else cutter.leave(f.clearance, -1, f.ground.envelope, feedOf(f), purpose(f, 3));
   });
 }
 

@@ -24,11 +24,11 @@ export function divide(depth: number, most: number, issues: Issue[]): Division |
   return null;
 }
 
-/** A CUTLENGTH smaller than the programmed infeed lowers it, with a notice. */
+/** A CUTLENGTH smaller than the programmed infeed lowers it, with a warning (TNC7, 81762x-19, topic "Turning cycles"). */
 export function limitedInfeed(most: number, tool: Tool, depth: number, issues: Issue[]): number {
   const edge = tool.CUTLENGTH;
   const asked = most > 0 ? Math.min(most, Math.max(depth, 0)) : depth;
   if (edge === undefined || !(edge > 0) || asked <= edge) return most;
-  issues.push(issue("infeedOverCutLength", "info", { infeed: most > 0 ? most : depth, cutLength: edge, nearest: edge }, "infeed"));
+  issues.push(issue("infeedOverCutLength", "warning", { infeed: most > 0 ? most : depth, cutLength: edge, nearest: edge }, "infeed"));
   return edge;
 }

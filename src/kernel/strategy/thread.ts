@@ -1,6 +1,7 @@
 import { extent } from "../convex.ts";
 import { segmentToPart, toFlat, toPart, type Flat, type Frame } from "../flat.ts";
 import { issue, type Issue } from "../issue.ts";
+import { METRIC } from "../metric-thread.ts";
 import type { Plan, Setting } from "../plan.ts";
 import { part, type Segment } from "../point.ts";
 import { CHORD, ROUND, SAME } from "../tolerance.ts";
@@ -41,9 +42,6 @@ export interface Thread {
   readonly airCuts: number;
   readonly clearance: number;
 }
-
-/** Depth of the metric profile in pitches: of an outside thread, and of an inside one. */
-export const METRIC = { outside: 0.6134, inside: 0.5413 } as const;
 
 /** More turns of the spindle than this in one operation no one can mean. */
 const MOST_TURNS = 100_000;
