@@ -3,9 +3,13 @@ import { join } from "node:path";
 import { catalogue } from "../src/cycles/index.ts";
 import { cycleSvg } from "./cycle-picture.ts";
 import { cyclePage } from "./cycle-page.ts";
+import { isoPage } from "./iso-page.ts";
 import { klartextPage } from "./klartext-page.ts";
 
-/** `npm run docs`: writes the page of every cycle, its picture beside it, and the page of all blocks. Runs in the project folder. */
+/**
+ * `npm run docs`: writes the page of every cycle, its picture beside it, the page of all blocks and the page of DIN/ISO. Runs in the
+ * project folder.
+ */
 export function main(): number {
   const folder = join("docs", "cycles");
   mkdirSync(folder, { recursive: true });
@@ -16,5 +20,6 @@ export function main(): number {
     if (picture) writeFileSync(join(folder, `${cycle.number}.svg`), picture);
   }
   writeFileSync(join("docs", "klartext.md"), klartextPage());
+  writeFileSync(join("docs", "din-iso.md"), isoPage());
   return 0;
 }

@@ -1,0 +1,85 @@
+import { statementLines } from "../print.ts";
+import { blockNumbers, type Block, type Program } from "../program.ts";
+import type { Statement, StatementOf } from "../statement.ts";
+import { LAYOUTS } from "../style.ts";
+import { isoOfOlderCycle } from "./older-cycles.ts";
+import { isoStatement, parametersText } from "./print-statement.ts";
+import { isoWordFor } from "./words.ts";
+
+/** A block without DIN/ISO word, which stands in the file as Klartext. */
+export interface KeptBlock {
+  /** Index of the block in the program. */
+  readonly index: number;
+  /** Its number, as the file shows it. */
+  readonly number: number;
+}
+
+/** A program in DIN/ISO. */
+export interface IsoProgram {
+  readonly text: string;
+  readonly kept: readonly KeptBlock[];
+}
+
+/** Says nothing that a control would run. */
+const isSilent = ({ kind }: Statement) => kind === "empty" || kind === "comment" || kind === "structure";
+const isBlank = ({ kind }: Statement) => kind === "empty" || kind === "comment";
+/** Formulas and texts are written alike in both languages. */
+const isShared = (s: Statement) => (s.kind === "assign" && s.fn === null) || s.kind === "assignText";
+
+/** In front of a DIN/ISO block that could not be translated, where its text alone could be taken for a Klartext block. */
+export const UNREAD_MARK = "ISO";
+
+/** The Klartext of a block on one line. */
+function keptText(s: Statement): string {
+  if (s.kind === "cycle") return `CYCL DEF ${s.cycle}${s.name === "" ? "" : ` ${s.name}`}${parametersText(s)}`;
+  const text = statementLines(s, LAYOUTS.tnc7).join(" ");
+  return s.kind === "unknown" && text.startsWith(`${UNREAD_MARK} `) ? text.slice(UNREAD_MARK.length + 1) : text;
+}
+
+const frameText = (s: StatementOf<"begin" | "end">) => `%${s.name} ${isoWordFor({ kind: "unit", unit: s.unit })}`;
+
+/** The older cycle that begins at `index`: its block of DIN/ISO and how many Klartext blocks it is; null when there is no word for it. */
+function olderCycleAt(blocks: readonly Block[], index: number): { readonly text: string; readonly count: number } | null {
+  const head = blocks[index];
+  if (head?.statement.kind !== "cycleLine" || head.statement.line !== 0) return null;
+  const { cycle } = head.statement;
+  const lines: StatementOf<"cycleLine">[] = [head.statement];
+  for (let b = blocks[index + 1]; b?.statement.kind === "cycleLine"; b = blocks[index + lines.length]) {
+    const s = b.statement;
+    if (s.cycle !== cycle || s.line !== lines.length || b.skip !== head.skip || b.comment !== null) break;
+    lines.push(s);
+  }
+  const text = isoOfOlderCycle(cycle, lines);
+  return text === null ? null : { text, count: lines.length };
+}
+
+/**
+ * Prints a program in DIN/ISO: one block a line, each with `N` and the number that it has in Klartext, each complete in itself.
+ * Blocks without a DIN/ISO word stand as Klartext and are listed in `kept`. Names of cycles and labels of parameters are lost.
+ */
+export function isoProgramText(program: Program): IsoProgram {
+  const { blocks } = program;
+  const numbers = blockNumbers(program);
+  const newLine = /\r\n|\n|\r/.exec(blocks[0]?.raw ?? "")?.[0] ?? "\n";
+  const first = blocks.findIndex(({ statement }) => !isBlank(statement));
+  const last = blocks.findLastIndex(({ statement, number }) => number !== null || !isBlank(statement));
+  const lines: string[] = [];
+  const kept: KeptBlock[] = [];
+  for (let i = 0, count = 1; i < blocks.length; i += count) {
+    const { statement: s, skip, comment, number } = blocks[i] as Block;
+    const older = olderCycleAt(blocks, i);
+    count = older?.count ?? 1;
+    const begins = s.kind === "begin" && i === first;
+    const ends = s.kind === "end" && i === last;
+    const word = older?.text ?? (begins || ends ? frameText(s) : isoStatement(s));
+    const at = numbers[i] ?? 0;
+    if (word === null && !isSilent(s) && !isShared(s)) kept.push({ index: i, number: at });
+    if (s.kind === "empty" && number === null) lines.push("");
+    else {
+      const silent = begins || (number === null && s.kind === "comment");
+      const head = silent ? "" : ends ? `${isoWordFor({ kind: "block", block: "end" })} ` : `N${at} `;
+      lines.push(`${skip ? "/" : ""}${head}${word ?? keptText(s)}${comment === null ? "" : ` ;${comment}`} *`.replace(/ {2,}\*$/, " *"));
+    }
+  }
+  return { text: lines.map((line) => line + newLine).join(""), kept };
+}
