@@ -86,7 +86,7 @@ export default defineConfig([
     rules: { "no-restricted-syntax": ["error", ...form] },
   },
   {
-    files: ["src/{kernel,nc,cycles,program,sim,view,i18n,report}/**/*.ts"],
+    files: ["src/{kernel,nc,control-file,cycles,program,sim,view,i18n,report}/**/*.ts"],
     ignores: ["**/*.test.ts"],
     rules: { "no-restricted-globals": pure.globals, "no-restricted-properties": pure.properties },
   },

@@ -1,20 +1,103 @@
 import { readFile } from "node:fs/promises";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
+import { looksRight } from "./pages/look.ts";
+import { output } from "../src/i18n/en/output.ts";
 
-test("two layouts, and labels in a language of their own", async ({ page }) => {
+const UNTIED = "0 BEGIN PGM OLD MM\n1 BLK FORM CYLINDER Z D75 L100\n2 CYCL DEF 811  X\nQ215=+0 ;A\nQ460=+2 ;B\n3 M30\n4 END PGM OLD MM\n";
+
+test("files of both controls, and labels in a language of their own", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { program } = turnwise;
   await turnwise.start.beginWithExample(820);
   await program.chooseLabels("fr");
-  await program.chooseLayout("tnc640");
-  const older = await program.copy();
-  expect(older).toContain("CYCL DEF 820  TOURN. CONT. TRANSV.");
-  expect(older).not.toContain("~");
+  await expect(program.fileNote).toContainText(turnwise.t.page.text.files.tnc640);
+  expect(await program.copy()).toContain("CYCL DEF 820  TOURN. CONT. TRANSV. ~");
+  await expect(program.confirmation).toContainText(turnwise.t.page.text.files.tnc640);
   await program.chooseLabels("zh");
   await program.chooseLayout("tnc7");
   await expect.poll(async () => (await program.shown()).join("\n")).toContain("CYCL DEF 820 TURN CONTOUR TRANSV. ~");
+  await expect(program.fileNote).toContainText(turnwise.t.page.text.files.tnc7);
   expect(await program.copy()).toContain("Q463=+3 ;MAX. CUTTING DEPTH ~");
+});
+
+test("the look of the manual is a view: what leaves is the file, and the file is one press away", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { program, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await program.chooseLayout("manual");
+  await expect.poll(async () => (await program.shown()).join("\n")).not.toContain("~");
+  await expect(program.fileNote).toContainText(t.page.text.manualView);
+  expect(await program.copy()).toContain("CYCL DEF 812  SHOULDER, LONG. EXT. ~");
+  expect(await readFile(await (await program.download()).path(), "utf8")).toContain("Q215=+0 ;MACHINING OPERATION ~");
+  await looksRight(page);
+  // Marked text of the whole program goes as the file, too.
+  await page.evaluate(() => navigator.clipboard.writeText(""));
+  await program.blocks.first().click();
+  await page.evaluate(() => getSelection()?.selectAllChildren(document.querySelector(".program-text") as Element));
+  await page.keyboard.press("ControlOrMeta+c");
+  expect(await program.clipboard()).toContain("CYCL DEF 812  SHOULDER, LONG. EXT. ~");
+  await page.getByRole("button", { name: t.page.text.showFile, exact: true }).click();
+  await expect.poll(async () => (await program.shown()).join("\n")).toContain("~");
+});
+
+test("DIN/ISO: shown, copied and downloaded the same; what it opens as runs the same", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, program, t } = turnwise;
+  await turnwise.start.beginWithExample(812);
+  await program.chooseLayout("iso");
+  await expect.poll(async () => (await program.shown()).join("\n")).toContain("G812 Q215=+0");
+  await expect(program.fileNote).toContainText(t.page.text.isoUnverified);
+  await looksRight(page);
+  const download = await program.download();
+  expect(download.suggestedFilename()).toBe("SHOULDER812.i");
+  const text = await readFile(await download.path(), "utf8");
+  expect(text).toMatch(/^%SHOULDER812 G71 \*\n/);
+  await expect.poll(() => program.shown()).toEqual(text.trimEnd().split("\n"));
+  await page.getByRole("link", { name: t.page.home }).click();
+  await editor.paste(text);
+  await expect(page.getByText(t.page.notice.isoRead)).toBeVisible();
+  await expect(editor.total(t.findings.verdict.title)).toContainText(t.findings.verdict.proved);
+  const again = page.waitForEvent("download");
+  await page.getByRole("button", { name: t.page.text.asIso, exact: true }).click();
+  expect(await readFile(await (await again).path(), "utf8")).toBe(text);
+});
+
+test("the machine's own functions, line ends and name stay with the work", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { program, t } = turnwise;
+  await turnwise.start.beginWithExample(811);
+  await page.getByRole("button", { name: t.page.text.output, exact: true }).click();
+  const dialog = page.getByRole("dialog", { name: output.title, exact: true });
+  await dialog.getByRole("combobox", { name: output.preset, exact: true }).selectOption("transfer");
+  await dialog.getByRole("textbox", { name: output.spindleOn, exact: true }).fill("403");
+  await expect(dialog.getByRole("combobox", { name: output.preset, exact: true })).toHaveValue("own");
+  await dialog.getByRole("textbox", { name: output.spindleOn, exact: true }).fill("4030");
+  await expect(dialog.getByText(output.functionWrong)).toBeVisible();
+  await dialog.getByRole("combobox", { name: output.retract, exact: true }).selectOption("limit");
+  await looksRight(page);
+  await dialog.getByRole("button", { name: output.makeDefault, exact: true }).click();
+  await dialog.getByRole("button", { name: t.page.close, exact: true }).click();
+  const text = await program.copy();
+  expect(text.startsWith("BEGIN PGM SHOULDER811 MM\r\n")).toBe(true);
+  expect(text).toMatch(/FMAX {2}M403\r\nCYCL CALL\r\nM140 MB MAX\r\nM5\r\nM30\r\n/);
+  // What is pointed at is known without numbers, too.
+  await program.blocks.last().getByRole("code").click();
+  await page.reload();
+  await expect.poll(async () => (await program.shown()).join("\n")).toContain("M403");
+  await page.getByRole("link", { name: t.page.home }).click();
+  await turnwise.start.beginWithExample(821);
+  await expect.poll(async () => (await program.shown()).join("\n")).toContain("M140 MB MAX");
+});
+
+test("a program in the look of the manual is told to be no file, and gets its ~ with one press", async ({ page }) => {
+  const { editor, program, t } = await Turnwise.open(page);
+  await editor.paste(UNTIED);
+  await expect(program.fileNote).toContainText(t.page.text.untied);
+  await looksRight(page);
+  await program.fileNote.getByRole("button", { name: t.page.text.tie, exact: true }).click();
+  await expect(program.fileNote).toContainText(t.page.text.files.tnc640);
+  expect(await program.copy()).toContain("CYCL DEF 811  X ~\nQ215=+0 ;A ~\nQ460=+2 ;B\n");
 });
 
 test("the download is the text on the screen, under the program's name", async ({ page }) => {

@@ -1,4 +1,4 @@
-import type { Cycle } from "../src/cycles/define.ts";
+import type { Cycle, AttestedPart } from "../src/cycles/define.ts";
 import type { Param } from "../src/cycles/params.ts";
 import { texts } from "../src/i18n/index.ts";
 import { ncWords } from "../src/i18n/nc-labels.ts";
@@ -61,14 +61,27 @@ function parameters({ params: list }: Cycle): string[] {
   ];
 }
 
+const parts: Readonly<Record<AttestedPart, string>> = {
+  name: "its name",
+  purpose: "what it is for",
+  start: "where it starts",
+  roughing: "the steps of roughing",
+  firstFinishing: "the first step of finishing",
+};
+
+/** Where the list comes from, and what else is printed. */
+function sourceOf({ manual, partly, evidence }: Cycle): string {
+  if (manual) return `${manual.document}, section ${manual.section}${manual.page ? `, page ${manual.page}` : ""}`;
+  const list = `parameter list recalled (${cycles.evidence[evidence]}), compare on your control`;
+  return partly
+    ? `${list}. Printed in ${partly.document}, topic “${partly.section}”: ${partly.parts.map((p) => parts[p]).join(", ")}`
+    : list;
+}
+
 /** The page of one cycle, all of it from the catalogue and the English texts. */
 export function cyclePage(cycle: Cycle): string {
   const number = cycle.number as CycleNumber;
   const text = cycles.of[number];
-  const { manual } = cycle;
-  const source = manual
-    ? `${manual.document}, section ${manual.section}${manual.page ? `, page ${manual.page}` : ""}`
-    : `parameter list recalled (${cycles.evidence[cycle.evidence]}), compare on your control`;
   return ""
     + ([
       `<!-- Written by \`npm run docs\` from src/cycles/c${number}.ts and src/i18n/en; edit those. -->`,
@@ -76,7 +89,7 @@ export function cyclePage(cycle: Cycle): string {
       text.summary,
       ...(cycle.acts ? [] : [`![Help picture of cycle ${number}](${number}.svg)`]),
       text.description.join("\n\n"),
-      `Source: ${source}. In NC text: \`CYCL DEF ${number} ${labels.cycles[number].text}\`.`,
+      `Source: ${sourceOf(cycle)}. In NC text: \`CYCL DEF ${number} ${labels.cycles[number].text}\`.`,
       ...parameters(cycle),
       ...(text.rough.length > 0 ? ["## Roughing, step by step", list(text.rough, (i) => `${i + 1}.`)] : []),
       ...(text.finish.length > 0 ? ["## Finishing, step by step", list(text.finish, (i) => `${i + 1}.`)] : []),

@@ -1,8 +1,16 @@
 import { accessSync, constants, readdirSync, readFileSync, statSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import { setFlagsFromString } from "node:v8";
+import type { LoadingControl } from "../src/control-file/refusal.ts";
+import { refusals } from "../src/control-file/refusals.ts";
+import { ncLabels } from "../src/i18n/nc-labels.ts";
+import { isIsoText } from "../src/nc/iso/lines.ts";
+import type { IsoIssue } from "../src/nc/iso/issue.ts";
+import { klartextOfIso, type KlartextOfIso } from "../src/nc/iso/read-iso.ts";
 import { parse } from "../src/nc/parse.ts";
 import { print } from "../src/nc/program.ts";
+import { LAYOUTS } from "../src/nc/style.ts";
+import { isoNames } from "../src/program/iso-names.ts";
 import type { Control } from "../src/program/plane-types.ts";
 import { fileKey, type ProgramFile, type ProgramFiles } from "../src/program/program-files.ts";
 import { over, readTools, type ShopTools } from "../src/program/read-tools.ts";
@@ -12,6 +20,7 @@ import { hasErrors, report, type Report } from "../src/report/report.ts";
 import { summary } from "../src/report/summary.ts";
 import { simulate } from "../src/sim/simulate.ts";
 import { tracing } from "../src/sim/tracing.ts";
+import { LOADING_CONTROLS, refusalLines, type RefusedPlace, refusedPlaces } from "./refusal-words.ts";
 
 /** Rapid rate of the times, mm/min. */
 const RAPID = 10_000;
@@ -23,23 +32,25 @@ class Refusal extends Error {}
 const STDIN = "-";
 
 const usage = (called: string): string =>
-  `usage: ${called} FILE.h [FILE.h …] [--tools TOOLS.json] [--control tnc640|tnc7] [--skip] [--json | --print]`;
+  `usage: ${called} FILE.h [FILE.h …] [--tools TOOLS.json] [--control tnc640|tnc7] [--as tnc640|tnc7|iso] [--skip] ` + "[--json | --print]";
 
 const help = (called: string): string =>
   `${usage(called)}
 
-Runs turning programs in Klartext, cuts the stock along their paths and says what was found.
+Runs turning programs in Klartext or DIN/ISO, cuts the stock along their paths and says what was found.
 
   FILE.h                   a program; ${STDIN} reads one from standard input. Programs that it calls are looked for in its folder
                            and among the other files.
   --tools TOOLS.json       tools of the shop; each replaces the built-in tool of the same number
   --control tnc640|tnc7    the control whose rules hold, tnc640 if not said
+  --as tnc640|tnc7|iso     say as well what that control refuses when it loads the file, with block, column and line; iso
+                           reads it as DIN/ISO
   --skip                   leave out blocks that are marked with /
   --json                   one JSON object a line and a program in place of a summary (format turnwise-report/1)
   --print                  write the program back as it was read, and run nothing
   --help, --version        this text; the version
 
-Exit status: 0 no error, 1 an error in a program, 2 the command could not run.
+Exit status: 0 no error, 1 an error in a program or a file that --as refuses, 2 the command could not run.
 `;
 
 interface Command {
@@ -48,6 +59,8 @@ interface Command {
   readonly json: boolean;
   readonly print: boolean;
   readonly control: Control;
+  /** The control that would load the file; null when nobody asked. */
+  readonly as: LoadingControl | null;
   readonly skip: boolean;
 }
 
@@ -63,6 +76,7 @@ function command(args: readonly string[], called: string): Command {
   const files: string[] = [];
   let [tools, json, printing, skip]: [string | null, boolean, boolean, boolean] = [null, false, false, false];
   let control: Control = "TNC 640";
+  let as: LoadingControl | null = null;
   for (let i = 0; i < args.length; i += 1) {
     const arg = args[i] ?? "";
     if (arg === "--json") json = true;
@@ -75,12 +89,21 @@ function command(args: readonly string[], called: string): Command {
       const named = CONTROLS[args[i += 1]?.toLowerCase() ?? ""];
       if (!named) throw new Refusal(`--control needs one of ${Object.keys(CONTROLS).join(", ")}`);
       control = named;
+    } else if (arg === "--as") {
+      as = loadingControl(args[i += 1]);
     } else if (arg.startsWith("--")) throw new Refusal(`unknown option ${arg}`);
     else files.push(arg);
   }
   if (files.length === 0) throw new Refusal(usage(called));
   if (files.filter((file) => file === STDIN).length > 1) throw new Refusal(`${STDIN} can be read once`);
-  return { files, tools, json, print: printing, control, skip };
+  return { files, tools, json, print: printing, control, as, skip };
+}
+
+function loadingControl(typed: string | undefined): LoadingControl {
+  const names = Object.keys(LOADING_CONTROLS) as readonly LoadingControl[];
+  const named = names.find((name) => name === typed?.toLowerCase());
+  if (named === undefined) throw new Refusal(`--as needs one of ${names.join(", ")}`);
+  return named;
 }
 
 function bytes(path: string): Buffer {
@@ -123,6 +146,21 @@ function toolsOf(path: string | null): ShopTools {
   return over(shippedTools, read);
 }
 
+/** A program as Klartext, with what a DIN/ISO program lost on the way there. */
+const asKlartext = (text: string): KlartextOfIso =>
+  isIsoText(text) ? klartextOfIso(text, LAYOUTS.tnc7, isoNames(ncLabels("en"))) : { text, issues: [] };
+
+/** What is said of a translation, beside the blocks that were not understood: the reader of Klartext says those. */
+const lostIn = (issues: readonly IsoIssue[]): Report["issues"] =>
+  issues.flatMap((i) => {
+    const text = i.code === "isoPlaneLeftOut"
+      ? `${i.data.word} outside of T and G30 is left out: the working plane is that of the tool call.`
+      : i.code === "isoBlocksRecounted"
+      ? "The block numbers do not rise or leave no room: blocks are counted from 0."
+      : null;
+    return text === null ? [] : [{ code: i.code, severity: i.severity, ...(i.number !== null && { block: i.number }), data: i.data, text }];
+  });
+
 /** How a program is run. */
 interface Setting {
   readonly control?: Control;
@@ -134,19 +172,21 @@ interface Setting {
 /** Reads and runs a program. Its blocks are not kept: of a long one they would fill the memory that the report needs. */
 function ran(text: string, shop: ShopTools, setting: Setting) {
   const started = performance.now();
-  const program = parse(text);
+  const klartext = asKlartext(text);
+  const program = parse(klartext.text);
   const read = performance.now();
   const done = run(program, { ...shop, rapid: RAPID, tracing, ...setting });
-  return { done, parsing: read - started, planning: performance.now() - read };
+  return { done, lost: lostIn(klartext.issues), parsing: read - started, planning: performance.now() - read };
 }
 
 /** Reads, runs and simulates one program. */
 export function verified(file: string, text: string, shop: ShopTools, setting: Setting = {}): Report {
-  const { done, parsing, planning } = ran(text, shop, setting);
+  const { done, lost, parsing, planning } = ran(text, shop, setting);
   const planned = performance.now();
   const simulation = simulate(done);
   const milliseconds = { parse: parsing, plan: planning, simulate: performance.now() - planned };
-  return report({ file, run: done, simulation, milliseconds, tools: shop.tools }, "en");
+  const made = report({ file, run: done, simulation, milliseconds, tools: shop.tools }, "en");
+  return lost.length > 0 ? { ...made, issues: [...lost, ...made.issues] } : made;
 }
 
 /** The names of a folder's files by what they are compared by; empty where it can not be read. */
@@ -169,7 +209,7 @@ function besides(path: string, given: ReadonlyMap<string, string>): ProgramFiles
     const place = name === undefined ? given.get(key) : join(folder, name);
     if (place === undefined) return null;
     try {
-      return { name: basename(place), program: parse(decoded(readFileSync(place)).text) };
+      return { name: basename(place), program: parse(asKlartext(decoded(readFileSync(place)).text).text) };
     } catch {
       return null;
     }
@@ -185,6 +225,24 @@ function besides(path: string, given: ReadonlyMap<string, string>): ProgramFiles
   };
 }
 
+/** The report of a file, with what a control refuses of it where `--as` asks for that. */
+export interface FileReport extends Report {
+  readonly refused?: readonly RefusedPlace[];
+}
+
+/** A report as it is written: one JSON object on a line, or a summary with the refusals below it. */
+function written(
+  made: Report,
+  text: string,
+  { as, json }: Pick<Command, "as" | "json">,
+): { readonly text: string; readonly isFaulty: boolean } {
+  const found = as === null ? [] : refusals(text, as);
+  const isFaulty = hasErrors(made) || found.length > 0;
+  if (!json) return { text: summary(made) + (as === null ? "" : refusalLines(made.file, as, found)), isFaulty };
+  const whole: FileReport = as === null ? made : { ...made, refused: refusedPlaces(found) };
+  return { text: `${JSON.stringify(whole)}\n`, isFaulty };
+}
+
 /**
  * `npm run --silent verify -- FILE.h …`: 0 no error, 1 an error in a program, 2 the command could not run. `called` is how its
  * user called it.
@@ -193,12 +251,13 @@ export function main(args: readonly string[], called = "npm run --silent verify 
   // Whole folders of long programs go through one process: it tidies up before its memory has doubled.
   setFlagsFromString("--heap-growing-percent=30");
   try {
-    const asked = answer(args, called);
-    if (asked !== null) {
-      process.stdout.write(asked);
+    const about = answer(args, called);
+    if (about !== null) {
+      process.stdout.write(about);
       return 0;
     }
-    const { files, tools, json, print: printing, control, skip } = command(args, called);
+    const asked = command(args, called);
+    const { files, tools, print: printing, control, skip } = asked;
     const shop = toolsOf(tools);
     for (const file of files) readable(file);
     const given = new Map(files.filter((file) => file !== STDIN).toReversed().map((file) => [fileKey(basename(file)), file]));
@@ -210,8 +269,9 @@ export function main(args: readonly string[], called = "npm run --silent verify 
         continue;
       }
       const made = verified(file, text, shop, { control, files: besides(file, given), skipMarked: skip });
-      if (hasErrors(made)) status = 1;
-      process.stdout.write(json ? `${JSON.stringify(made)}\n` : summary(made));
+      const out = written(made, text, asked);
+      if (out.isFaulty) status = 1;
+      process.stdout.write(out.text);
     }
     return status;
   } catch (error) {

@@ -10,6 +10,7 @@ interface Rule {
 const RULES: Record<string, Rule> = {
   kernel: { values: ["clipper2-ts"] },
   nc: { values: [] },
+  "control-file": { values: [] },
   cycles: { values: ["kernel", "zod"] },
   program: { values: ["kernel", "cycles", "nc", "zod"] },
   sim: { values: ["kernel"] },
@@ -170,6 +171,11 @@ describe("what the start page waits for", () => {
     expect(reached.has("react")).toBe(true);
     expect(reached.has("src/app/start/StartPage.tsx")).toBe(true);
   });
+});
+
+test("the page does not fetch the grammar of files", () => {
+  const users = all.filter((s) => s.imports.some((i) => i.target.startsWith("src/control-file/")));
+  expect(users.filter((s) => layerOf(s.path) !== "control-file").map((s) => s.path)).toEqual([]);
 });
 
 describe("what is nowhere", () => {

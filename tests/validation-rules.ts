@@ -305,7 +305,7 @@ export const rules: readonly Rule[] = [{
   cycle: 812,
   code: "infeedOverCutLength",
   field: "Q463",
-  severity: "info",
+  severity: "warning",
   trips: { change: { Q463: "10" }, tool: { T: 1, CUTLENGTH: length(4) } },
   passes: { change: { Q463: "4" }, tool: { T: 1, CUTLENGTH: length(4) } },
 }, {
@@ -313,7 +313,7 @@ export const rules: readonly Rule[] = [{
   cycle: 820,
   code: "infeedOverCutLength",
   field: "Q463",
-  severity: "info",
+  severity: "warning",
   trips: { change: { Q463: "10" }, tool: { T: 15, CUTLENGTH: length(4) } },
   passes: { tool: { T: 15, CUTLENGTH: length(4) } },
 }, {
@@ -405,6 +405,14 @@ export const rules: readonly Rule[] = [{
   severity: "info",
   trips: { start: [80, -30] },
   passes: { start: [80, 2] },
+}, {
+  name: "start point behind the contour start",
+  cycle: 815,
+  code: "startBehindContour",
+  field: "start.z",
+  severity: "info",
+  trips: { start: [80.4, -12.3], tool: { T: 7 } },
+  passes: { start: [80.4, -22.1], tool: { T: 7 } },
 }, {
   name: "start point below the opening of the recess",
   cycle: 852,

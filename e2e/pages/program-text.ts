@@ -19,8 +19,13 @@ export class ProgramText {
     return this.panel.locator("[aria-current=step]");
   }
 
+  /** Which control the text is for, and in which form it leaves. */
+  get fileNote(): Locator {
+    return this.panel.locator(".program-file");
+  }
+
   get copyButton(): Locator {
-    return this.context.page.getByRole("button", { name: this.context.t.page.text.copyLong, exact: true }).first();
+    return this.context.page.getByRole("button", { name: new RegExp(`^${this.context.t.page.text.copyLong}`) }).first();
   }
 
   /** What is said once the program is on the clipboard. */
@@ -54,7 +59,7 @@ export class ProgramText {
     return waiting;
   }
 
-  async chooseLayout(layout: "tnc640" | "tnc7"): Promise<void> {
+  async chooseLayout(layout: "tnc640" | "tnc7" | "iso" | "manual"): Promise<void> {
     await this.panel.getByRole("combobox", { name: this.context.t.page.text.layout, exact: true }).selectOption(layout);
   }
 

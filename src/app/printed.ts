@@ -1,14 +1,15 @@
 import { ncLabels } from "../i18n/nc-labels.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { Job, SetJob } from "../program/job.ts";
-import { printJob } from "../program/print-job.ts";
+import { printAsInManual, printJob } from "../program/print-job.ts";
+import { untilHere } from "./parts.ts";
 import { setJobOf } from "./reading.ts";
 
 const printed = new WeakMap<SetJob, string>();
 
 /**
- * The program text of a job with its set-up, in its own layout and label language, made once per state of the job. Its tools are those of
- * the open work where no others are given.
+ * The program text of a job with its set-up, as a Klartext file of its control and in its own label language, made once per state of the
+ * job: what is run and checked. Its tools are those of the open work where no others are given.
  */
 export function printedText(typed: Job, tools?: readonly Tool[]): string {
   const job = setJobOf(typed, tools);
@@ -19,8 +20,57 @@ export function printedText(typed: Job, tools?: readonly Tool[]): string {
   return text;
 }
 
+/** The program of a job with the look of the printed manual, to read. */
+export const manualText = (typed: Job): string => {
+  const job = setJobOf(typed);
+  return printAsInManual(job, ncLabels(job.ncLanguage));
+};
+
+/** A program as a DIN/ISO file, and the numbers of the blocks that have no DIN/ISO word and stand in it as Klartext. */
+export interface IsoFile {
+  readonly text: string;
+  readonly kept: readonly number[];
+}
+
+/** A Klartext program in DIN/ISO; its printer is fetched when it is first needed. */
+export async function isoFile(text: string): Promise<IsoFile> {
+  const [{ isoProgramText }, { parse }] = await untilHere(() => Promise.all([import("../nc/iso/print-iso.ts"), import("../nc/parse.ts")]));
+  const made = isoProgramText(parse(text));
+  return { text: made.text, kept: made.kept.map(({ number }) => number) };
+}
+
+/** What of a job leaves the page: the file that its control loads, whatever look is shown. */
+export async function leavingText(job: Job): Promise<string> {
+  const text = printedText(job);
+  return job.layout === "iso" ? (await isoFile(text)).text : text;
+}
+
+/** The name of the file of a job: that of BEGIN PGM, with the ending of its language. */
+export const fileOfJob = (job: Job): string => `${programName(printedText(job))}.${job.layout === "iso" ? "i" : "h"}`;
+
 /** The name in BEGIN PGM, which is also the name of the file. */
 export const programName = (text: string): string => /BEGIN PGM (\S+)/.exec(text)?.[1] ?? "PROGRAM";
 
-/** Blocks of a program: lines that begin with a block number. */
-export const blockCount = (text: string): number => text.split("\n").filter((line) => /^\d+\s/.test(line)).length;
+/** One block of a program: its number, also where the file has none, and its lines. */
+export interface PrintedBlock {
+  readonly number: number;
+  readonly lines: readonly string[];
+}
+
+const NUMBER = /^\/?N?(\d+)\s/;
+const VALUE = /^\s*Q\d+ ?=/;
+
+/** The blocks of a program by its lines: a list of a cycle goes on with ` ~`, in the look of the manual with its values. */
+export function printedBlocks(text: string): readonly PrintedBlock[] {
+  const blocks: { number: number; lines: string[] }[] = [];
+  for (const line of text.split(/\r?\n/)) {
+    if (line.trim() === "") continue;
+    const open = blocks.at(-1), number = NUMBER.exec(line)?.[1];
+    if (open && (open.lines.at(-1)?.endsWith("~") || (number === undefined && VALUE.test(line)))) open.lines.push(line);
+    else blocks.push({ number: number === undefined ? (open?.number ?? -1) + 1 : Number(number), lines: [line] });
+  }
+  return blocks;
+}
+
+/** Blocks of a program in Klartext or DIN/ISO, comments among them. */
+export const blockCount = (text: string): number => printedBlocks(text).length;

@@ -1,5 +1,6 @@
 import type { Measurement } from "../kernel/measured.ts";
 import type { HandedOn, Job, TaskWork } from "../program/job.ts";
+import type { NcOutput } from "../program/nc-output.ts";
 import { fileKey } from "../program/program-files.ts";
 
 /** How the bytes of a program file stand for characters. Controls also write files that are not UTF-8. */
@@ -20,6 +21,8 @@ export interface ProgramWork extends WorkFile, HandedOn {
   readonly files?: readonly WorkFile[];
   /** Blocks behind a skip mark are left out. */
   readonly skipMarked?: boolean;
+  /** How blocks are written that the app adds; as the program writes them already, and as this device does where it is not set. */
+  readonly output?: NcOutput;
   /** What its setup sheet says to the setter. */
   readonly remarks?: string;
   /** What it is turned from, by its id in the cutting data; that of the device where it names none. */

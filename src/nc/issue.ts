@@ -25,6 +25,8 @@ interface Data {
   blockNumberMissing: { expected: number };
   /** `~` on the last line of a block: the next line is not a continuation. */
   continuationOpen: {};
+  /** Lists of cycles without ` ~`, one or more: a control reads their values as blocks of their own. */
+  listWithoutTilde: { places: number };
   /** The text is a program in the other language of the controls, DIN/ISO, which is not read. */
   isoProgram: {};
   /** The text does not end with END PGM, or does not start with BEGIN PGM. */

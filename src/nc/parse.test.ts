@@ -23,6 +23,8 @@ describe("blocks", () => {
       parameters: [{ label: "A LABEL" }, { label: null }],
     });
     expect(lines("CYCL DEF 7 N\nQ5 = 3\nL X+1")).toEqual([1, 1, 1]);
+    expect(lines("CYCL DEF 207 N ~\nQ200=+2 ~\nQ201=-5\nQ1999 = 25\nL X+1")).toEqual([3, 1, 1]);
+    expect(lines("CYCL DEF 207 N ~\nQ200=+2\nQ201=-5\nL X+1")).toEqual([3, 1]);
   });
   test("a mark of continuation in front of a new block is said and goes no further", () => {
     expect(parse("1 CYCL DEF 7 N ~\nQ1=1 ~\n2 M3\n").blocks).toHaveLength(2);
@@ -78,16 +80,16 @@ describe("findings have a place, and a fix where it is plain", () => {
     ["1 PLANET RESET", "notUnderstood 2:3"],
     ["1 CYCL DEF 7 N ~\nQ1=abc", "badNumber 3:4"],
     ["1 CYCL DEF 7 N ~\nQ1=", "wordMissing 3:4"],
-    ["1 CYCL DEF 7 N\nQ491+5 ;A", "equalsMissing 3:1"],
-    ["1 CYCL DEF 7 N\nQ491 =+5 ;A", "blankBeforeEquals 3:1"],
+    ["1 CYCL DEF 7 N ~\nQ491+5 ;A", "equalsMissing 3:1"],
+    ["1 CYCL DEF 7 N ~\nQ491 =+5 ;A", "blankBeforeEquals 3:1"],
     ["1 CR X+1 DR+", "wordMissing 2:3"],
     [`1 FC D${"9".repeat(400)}`, "badNumber 2:7"],
   ])("%j", (text, finding) => expect(said(text)).toEqual([finding]));
   test("the fix of a misprint gives a text without it", () => {
-    for (const text of ["1 CYCL DEF 7 N\nQ491+5 ;A\n", "1 CYCL DEF 7 N\nQ491 =+5 ;A\n"]) {
+    for (const text of ["1 CYCL DEF 7 N ~\nQ491+5 ;A\n", "1 CYCL DEF 7 N ~\nQ491 =+5 ;A\n"]) {
       const fix = issuesOf(parse(text)).find((i) => i.fix)?.fix;
       if (!fix) throw new Error("no fix");
-      expect(text.slice(0, fix.offset) + fix.text + text.slice(fix.offset + fix.length)).toBe("1 CYCL DEF 7 N\nQ491=+5 ;A\n");
+      expect(text.slice(0, fix.offset) + fix.text + text.slice(fix.offset + fix.length)).toBe("1 CYCL DEF 7 N ~\nQ491=+5 ;A\n");
     }
   });
   test("numbers out of order, missing ones", () => {

@@ -56,16 +56,36 @@ function readBlock(text: string, s: Slice): Block {
   return read;
 }
 
-function readWords(text: string, { starts, ends }: Lines, s: Slice): Block {
+/** Where the first line of a list ends that should go on with ` ~` and does not, over the text of the block; null where all do. */
+function tildeMissing(text: string, { starts, ends }: Lines, { first, last }: Slice): number | null {
+  let open: number | null = null;
+  for (let i = first; i <= last; i += 1) {
+    const line = text.slice(starts[i], ends[i]).trimEnd();
+    if (line === "") continue;
+    if (open !== null) return open;
+    if (!line.endsWith("~")) open = (starts[i] ?? 0) + line.length;
+  }
+  return null;
+}
+
+function readWords(text: string, all: Lines, s: Slice): Block {
+  const { starts, ends } = all;
   const lines: BlockLine[] = [];
   for (let i = s.first; i <= s.last; i += 1) {
     const from = i === s.first ? s.body : (starts[i] ?? 0);
     lines.push(blockLine(text, from, ends[i] ?? from, from - s.from));
   }
   const read = readStatement(lines);
-  const issues: readonly BlockIssue[] = s.open
-    ? [...read.issues, { code: "continuationOpen", severity: "warning", offset: (ends[s.last] ?? s.from) - s.from, length: 0, data: {} }]
-    : read.issues;
+  const untied = s.first < s.last ? tildeMissing(text, all, s) : null;
+  const issues: readonly BlockIssue[] = [
+    ...read.issues,
+    ...(untied === null
+      ? []
+      : [{ code: "listWithoutTilde", severity: "warning", offset: untied, length: 0, data: { places: 1 } } as const]),
+    ...(s.open
+      ? [{ code: "continuationOpen", severity: "warning", offset: (ends[s.last] ?? s.from) - s.from, length: 0, data: {} } as const]
+      : []),
+  ];
   const comment = read.statement.kind === "comment" || read.statement.kind === "cycle" ? null : (lines[0]?.comment ?? null);
   return {
     raw: text,

@@ -184,8 +184,8 @@ export function blockText(
   return headText(number, more.skip ?? false, s, style) + lines.map((line, i) => line + (i === 0 ? comment : "") + style.newLine).join("");
 }
 
-/** A program of statements, numbered from 0. Blank lines carry no number. */
-export function programText(statements: readonly Statement[], style: Style): string {
+/** A program of statements, numbered from 0, or without numbers. Blank lines carry no number. */
+export function programText(statements: readonly Statement[], style: Style, numbered = true): string {
   let next = 0;
-  return statements.map((s) => blockText(s.kind === "empty" ? null : next++, s, style)).join("");
+  return statements.map((s) => blockText(numbered && s.kind !== "empty" ? next++ : null, s, style)).join("");
 }

@@ -68,6 +68,9 @@ function places(raw: string, offsets: readonly number[]): { line: number; column
 const ISO = /^\s*(?:%\S+\s+G7[01](?!\d)|(?:N\d+\s*)?G\d{1,3}(?!\d))/i;
 const inIso = ({ raw, statement }: Block): boolean => statement.kind === "unknown" && ISO.test(raw);
 
+/** A list over several lines without ` ~` between them. */
+export const isUntied = ({ issues }: Block): boolean => issues.some((i) => i.code === "listWithoutTilde");
+
 /** All findings of the reader, those between blocks included, in the order of the text. */
 export const issuesOf = (program: Program): NcIssue[] => [...eachIssue(program)];
 
@@ -89,6 +92,8 @@ export function* eachIssue({ blocks }: Program): Generator<NcIssue> {
   let [offset, line] = [0, 1];
   let expected: number | null = null;
   let step = 1;
+  // One cure writes ` ~` into every list, so they are one finding, at the first.
+  let untied = blocks.filter(isUntied).length;
   for (const b of blocks) {
     const at = { line, column: 1, offset, length: 0, severity: "info" as const };
     const { kind } = b.statement;
@@ -105,9 +110,14 @@ export function* eachIssue({ blocks }: Program): Generator<NcIssue> {
     const rising = b.issues.length > 1 ? b.issues.toSorted((a, c) => a.offset - c.offset) : b.issues;
     const at0 = rising.length > 0 ? places(b.raw, rising.map((i) => i.offset)) : [];
     for (const [k, i] of rising.entries()) {
+      if (i.code === "listWithoutTilde" && untied === 0) continue;
       const fix = i.fix && { ...i.fix, offset: i.fix.offset + offset };
       const place = { offset: i.offset + offset, line: line + (at0[k]?.line ?? 0), column: (at0[k]?.column ?? 0) + 1 };
-      yield { ...i, ...place, ...(fix && { fix }) } as NcIssue;
+      if (i.code !== "listWithoutTilde") yield { ...i, ...place, ...(fix && { fix }) } as NcIssue;
+      else {
+        yield { ...i, ...place, data: { places: untied } };
+        untied = 0;
+      }
     }
     offset += b.raw.length;
     line += b.lines;

@@ -24,8 +24,6 @@ const wide =
       : /^\/?\d+ (?:CYCL DEF \d+|L|RND|CHF) \S/m.test(code(raw))
       ? false
       : null);
-const continued =
-  (raw: string) => (/CYCL DEF \d+(?!\.)[^\r\n]*[\r\n]/i.test(raw) && /[\r\n]\s*Q\d/.test(raw) ? /~[ \t]*(?:\r|\n)/.test(raw) : null);
 /** An axis or a value of a cycle; the X of SMAX2500 is neither. */
 const plus =
   (raw: string) => (/(?:(?<![A-Z])I?[XYZ]|=)\+[\d.,]/.test(code(raw)) ? true : /(?:(?<![A-Z])I?[XYZ]|=)\d/.test(code(raw)) ? false : null);
@@ -50,7 +48,8 @@ export function styleAt(program: Program, index: number): Style {
   return {
     newLine: seen(texts, newLine, base.newLine),
     wide: seen(texts, wide, base.wide),
-    continued: seen(texts, continued, base.continued),
+    // Whatever the lists round it look like: what is written has to load.
+    continued: true,
     plus: seen(texts, plus, base.plus),
     decimal: seen(texts, decimal, base.decimal),
     indent: seen(texts, indent, base.indent),

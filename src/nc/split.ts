@@ -90,8 +90,10 @@ export function splitBlocks(text: string, { starts, ends }: Lines): Slice[] {
     let last = first;
     let open = tilde(first);
     let tildes = open;
+    // Behind a list with ` ~` a line with a blank before the equals sign is a formula: `Q215=+0` is a value, `Q1999 = 25` a block.
+    const isValue = (m: RegExpExecArray) => !tildes || !/\d[ \t\u00a0]+=/.test(m[0]);
     const belongs = (m: RegExpExecArray | null, k: number) =>
-      m !== null && (numbered || Number(m[1]) >= 200 || (!tildes && text.slice(m.index, ends[k]).includes(";")));
+      m !== null && (numbered || (Number(m[1]) >= 200 && isValue(m)) || (!tildes && text.slice(m.index, ends[k]).includes(";")));
     while (open || cycle) {
       const next = written(last + 1);
       if (next >= count) break;

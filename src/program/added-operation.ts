@@ -5,6 +5,7 @@ import type { Statement } from "../nc/statement.ts";
 import type { SetJob } from "./job.ts";
 import { blocksOfStatements, withAddedBehind } from "./operation-edits.ts";
 import { endsMain, operationsOf } from "./operations.ts";
+import { outputIn } from "./output-in.ts";
 import { jobStatements, type Labels } from "./print-job.ts";
 import { noWords } from "./typed-value.ts";
 
@@ -24,16 +25,16 @@ function freeLabel({ blocks }: Program): number {
   return n;
 }
 
-const END: Statement = { kind: "functions", words: { ...noWords, functions: [30] } };
+const functionsOf = (m: number): Statement => ({ kind: "functions", words: { ...noWords, functions: [m] } });
 const TURNING: Statement = { kind: "mode", mode: "TURN", kinematics: null };
 
-/** The program with M30 before its subprograms, where it had none. */
-function withEnd(program: Program): Program {
+/** The program with M30 or M2 before its subprograms, where it had neither. */
+function withEnd(program: Program, end: 30 | 2): Program {
   const { blocks } = program;
   const { to } = operationsOf(program);
   const s = blocks[to]?.statement;
   if (s && endsMain(s) && s.kind !== "end") return program;
-  return withBlocks(program, [...blocks.slice(0, to), ...blocksOfStatements(program, to, [END]), ...blocks.slice(to)]);
+  return withBlocks(program, [...blocks.slice(0, to), ...blocksOfStatements(program, to, [functionsOf(end)]), ...blocks.slice(to)]);
 }
 
 /**
@@ -44,20 +45,24 @@ export function withOperation(program: Program, job: SetJob, labels: Labels, { b
   const cycle = cycleByNumber(job.cycle);
   if (!cycle) return program;
   const label = freeLabel(program);
-  const all = jobStatements(job, cycle, labels).map((s): Statement => {
+  const output = outputIn(program, job.output);
+  const all = jobStatements({ ...job, output }, cycle, labels).map((s): Statement => {
     if (s.kind === "cycleLine" && s.line === 1) return { ...s, text: `${labels.contour.label}${label}` };
     return s.kind === "label" && s.label !== 0 ? { ...s, label } : s;
   });
   const ending = all.findIndex(endsMain);
-  const ended = withEnd(program);
+  const ended = withEnd(program, output.end);
   const { from, units } = operationsOf(ended);
   const place = behind === undefined ? units.length - 1 : (behind ?? -1);
   const before = ended.blocks.slice(0, place < 0 ? from : (units[place]?.to ?? from)).findLast(({ statement: s }) => s.kind === "mode");
   const isTurning = before?.statement.kind === "mode" && before.statement.mode === "TURN";
+  // Between others a spindle that is stopped would stand still for the next of them.
+  const isLast = place === units.length - 1;
+  const stops = (s: Statement) => !isLast && JSON.stringify(s) === JSON.stringify(functionsOf(output.spindleOff ?? NaN));
   const main: readonly Statement[] = [
     ...(isTurning ? [] : [TURNING]),
     ...(title === undefined || title.trim() === "" ? [] : [{ kind: "structure" as const, text: title.trim() }]),
-    ...all.slice(all.findIndex((s) => s.kind === "toolCall"), ending),
+    ...all.slice(all.findIndex((s) => s.kind === "toolCall"), ending).filter((s) => !stops(s)),
   ];
   const operated = withAddedBehind(ended, place < 0 ? null : place, blocksOfStatements(ended, from, main));
   const subprogram = all.slice(ending + 1).filter((s) => s.kind !== "end");

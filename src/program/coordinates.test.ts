@@ -103,13 +103,15 @@ describe("the datum is shifted", () => {
     ["CYCL DEF 800 ADAPT ~\nQ497=+0 ~\nQ498=+1 ~\nQ531=+0", ["CYCL DEF 800@7"]],
     ["CYCL DEF 800 ADAPT ~\nQ497=+0 ~\nQ535=+1", ["CYCL DEF 800@7"]],
     ["CYCL DEF 800 ADAPT ~\nQ497=+0 ~\nQ532=FMAX ~\nQ599=-1", []],
+    ["CYCL DEF 800 ADAPT ~\nQ530=+3 ~\nQ531=+0", []],
+    ["CYCL DEF 800 ADAPT ~\nQ530=+3 ~\nQ531=+17.5", ["CYCL DEF 800@7"]],
     ["CYCL DEF 801 RESET", []],
     ["CYCL DEF 892 CHECK UNBALANCE ~\nQ450=+0.1\nCYCL CALL", ["CYCL DEF 892 CHECK UNBALANCE@8"]],
   ])("%s: %j", (lines, expected) => expect(unproved(turned(lines))).toEqual(expected));
 });
 
 test("a value that a cycle can not have where it acts is told at its line; it is never called, and no call is missed", () => {
-  const done = turned("CYCL DEF 800 ADAPT ~\nQ497=+400 ~\nQ530=+3 ~\nQ531=+0");
+  const done = turned("CYCL DEF 800 ADAPT ~\nQ497=+400 ~\nQ530=+4 ~\nQ531=+0");
   const told = done.issues.map((f) => `${f.issue.code} ${"at" in f.issue ? f.issue.at : ""}@${f.line}`);
   expect(told.filter((t) => t.includes("Q"))).toEqual(["outOfRange Q497@9", "notAChoice Q530@10"]);
   expect(done.issues.map((f) => f.issue.code)).not.toContain("cycleNeverCalled");

@@ -177,7 +177,7 @@ function lineAt(machine: Machine, block: number): TextLine {
 
 /** The parameters of a definition as they are now, and why some are not known. */
 interface Parameters {
-  readonly values: Defined["values"];
+  readonly values: Map<string, number | "auto" | null>;
   readonly troubled: ReadonlyMap<string, UnknownReason>;
 }
 
@@ -194,6 +194,19 @@ function readParameters(machine: Machine, parameters: readonly CycleParameter[],
     }
   }
   return { values, troubled };
+}
+
+/**
+ * What a control fills into a list that software older than itself wrote. Told once for a program: its lists come from one machine.
+ */
+function fillIn(machine: Machine, cycle: Cycle, values: Map<string, number | "auto" | null>, index: number): void {
+  const filled: string[] = [];
+  for (const [q, { filledIn }] of Object.entries(cycle.params)) {
+    if (filledIn === null || values.has(q)) continue;
+    values.set(q, filledIn);
+    filled.push(`${q}=${filledIn}`);
+  }
+  if (filled.length > 0) machine.log.sayOnce(programIssue("listOfOlderSoftware", "info", { cycle: cycle.number, filled }), index);
 }
 
 /** A cycle that acts here: values that it can not have are told, ones that are not given are those of an older control. */
@@ -215,6 +228,7 @@ export function cycleDefinition(machine: Machine, index: number): void {
   if (cycle?.acts) act(machine, cycle, s, index);
   if (actsAtOnce(s.cycle)) return actingCycle(machine, s.cycle, s.parameters, index);
   const { values, troubled } = readParameters(machine, s.parameters, index);
+  if (cycle) fillIn(machine, cycle, values, index);
   values.forEach((v, q) => typeof v === "number" && machine.known.set(q, v));
   troubled.forEach((reason, q) => machine.known.forget(q, reason));
   if (cycle || bores) machine.definitions.add(index);

@@ -28,6 +28,8 @@ interface Data {
   neverReached: { by: string };
   /** A parameter that the cycle does not have, or one that stands twice. */
   parameterForeign: { name: string; cycle: number };
+  /** The list of a cycle ends where older software ended it; `filled` is what the control fills in, as words of the list. */
+  listOfOlderSoftware: { cycle: number; filled: readonly string[] };
   /** The program runs on into the label of a contour. */
   runsIntoLabel: { label: string };
   /** The first block of a contour does not name both coordinates. */
@@ -72,6 +74,8 @@ interface Data {
   freeUnsolved: { form: string };
   arcImpossible: {};
   radiusCompensation: { side: "RL" | "RR" };
+  /** RL or RR with a turning tool whose tip orientation names no side: the direction of the compensation is not defined. */
+  compensationUndefined: { side: "RL" | "RR"; orientation: number };
   /** RL to RR or back without R0 between. */
   sideChanged: {};
   /** APPR without an element behind it, DEP without one before it. */

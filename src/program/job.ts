@@ -1,5 +1,6 @@
 import type { Cycle } from "../cycles/define.ts";
 import type { Measurement } from "../kernel/measured.ts";
+import { NC_OUTPUTS, type JobLayout, type NcOutput } from "./nc-output.ts";
 import type { Control } from "./plane-types.ts";
 import { exampleDraft, type Draft } from "./read-draft.ts";
 import type { ToolList } from "./tool-list.ts";
@@ -105,7 +106,8 @@ export interface Job extends HandedOn {
   /** Rapid rate for the time estimate only, mm/min. */
   readonly rapid: string;
   readonly contour: readonly ContourRow[];
-  readonly layout: "tnc640" | "tnc7";
+  readonly layout: JobLayout;
+  readonly output: NcOutput;
   readonly ncLanguage: "en" | "de" | "fr" | "zh";
   /** What its setup sheet says to the setter. */
   readonly remarks?: string;
@@ -124,7 +126,7 @@ export interface SetJob extends Job {
 /** A set-up of which nobody has set anything yet. */
 export const UNSET = { tool: null, blank: { outside: "", bore: "", length: "", allowance: "" }, start: { x: "", z: "" } } as const;
 
-/** A job that shows the printed example of a cycle. */
+/** A job that shows the printed example of a cycle. A thread is cut at a constant speed: its pitch hangs on the turns of the spindle. */
 export function exampleJob(cycle: Cycle): SetJob {
   const example = cycle.setup;
   return {
@@ -135,11 +137,12 @@ export function exampleJob(cycle: Cycle): SetJob {
     tool: example.tool,
     blank: { ...example.blank, bore: example.blank.bore || "0" },
     start: example.start,
-    spindle: { mode: "surface", speed: "800", cuttingSpeed: "180", limit: "2500" },
+    spindle: { mode: cycle.group === "thread" ? "constant" : "surface", speed: "800", cuttingSpeed: "180", limit: "2500" },
     perRevolution: true,
     rapid: "10000",
     contour: example.contour.map((r, i) => newRow(`e${i + 1}`, r)),
     layout: "tnc640",
+    output: NC_OUTPUTS.manual,
     ncLanguage: "en",
   };
 }

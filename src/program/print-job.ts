@@ -3,10 +3,11 @@ import { cycleByNumber } from "../cycles/index.ts";
 import type { Param } from "../cycles/params.ts";
 import { programText } from "../nc/print.ts";
 import type { AxisWord, CycleParameter, Statement, Value, Words } from "../nc/statement.ts";
-import { LAYOUTS } from "../nc/style.ts";
+import { LAYOUTS, type Style } from "../nc/style.ts";
 import type { KnownParameters } from "./expression.ts";
 import { knownParameters, usedParameters } from "./job-parameters.ts";
 import type { BlankDraft, Job, SetJob } from "./job.ts";
+import type { NcOutput } from "./nc-output.ts";
 import { contourStatements } from "./print-contour.ts";
 import { anyNumber, kept, readText } from "./field.ts";
 import { readDraft, type Draft } from "./read-draft.ts";
@@ -73,15 +74,35 @@ const assignments = (job: Job, known: KnownParameters): Statement[] =>
     return of === undefined ? [] : [{ kind: "assign", fn: null, target, formula: { kind: "value", value: kept(of, PARAMETER_DECIMALS) } }];
   });
 
-/** Whether the tip is called inside a bore behind the face: only along the axis does it come there. */
-function isInBore({ blank, start }: Job): boolean {
-  const [bore, x] = [number(blank.bore, 0), number(start.x, 0)];
-  return bore > 0 && x <= bore && number(start.z, 0) < number(blank.allowance, 0);
+/** Where a start point lies: clear of the blank, in its bore, or lower than its outside, where a shoulder may stand higher than it. */
+type StartPlace = "clear" | "bore" | "low";
+
+function placeOfStart({ blank, start }: Job): StartPlace {
+  const [outside, bore, x] = [number(blank.outside, 0), number(blank.bore, 0), number(start.x, 0)];
+  if (number(start.z, 0) >= number(blank.allowance, 0)) return "clear";
+  if (bore > 0 && x <= bore) return "bore";
+  return x >= outside ? "clear" : "low";
 }
+
+/** The way out to the safe position, from a low place across the axis first; then the spindle off, unless M30 or M2 does it. */
+function wayOut(output: NcOutput, place: StartPlace, safe: { readonly x: number; readonly z: number }): Statement[] {
+  const { retract, spindleOff } = output;
+  const along = (axes: AxisWord[]) => path({ axes, compensation: "R0", feed: "max" });
+  const limit: Statement = { kind: "functions", words: { ...noWords, functions: [140], retract: "max" } };
+  return [
+    ...(place === "low" ? [along([{ axis: "X", value: safe.x, incremental: false }])] : []),
+    retract === "limit" ? limit : along([{ axis: "Z", value: safe.z, incremental: false }]),
+    ...(spindleOff === null ? [] : [functions(spindleOff)]),
+  ];
+}
+
+const functions = (m: number): Statement => ({ kind: "functions", words: { ...noWords, functions: [m] } });
 
 /** The blocks of a job, from BEGIN PGM to END PGM. */
 export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statement[] {
-  const name = nameOnControl(job.name);
+  const { output } = job;
+  const name = nameOnControl(output.capitals ? job.name.toUpperCase() : job.name);
+  const place = placeOfStart(job);
   const safeX = kept(Math.max(number(job.blank.outside, 0), number(job.start.x, 0)) + AWAY.x, POSITION_DECIMALS);
   const safeZ = kept(Math.max(number(job.blank.allowance, 0), number(job.start.z, 0), 0) + AWAY.z, POSITION_DECIMALS);
   const at = (x: Value, z: Value): AxisWord[] => [{ axis: "X", value: x, incremental: false }, { axis: "Z", value: z, incremental: false }];
@@ -89,7 +110,6 @@ export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statem
   const draft = job.drafts[cycle.number] ?? {};
   const known = knownParameters(job);
   const cycleLine = (line: number, text: string): Statement => ({ kind: "cycleLine", cycle: 14, line, text });
-  const functions = (m: number): Statement => ({ kind: "functions", words: { ...noWords, functions: [m] } });
   return [
     { kind: "begin", name, unit: "MM" },
     blankStatement(job.blank),
@@ -107,7 +127,8 @@ export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statem
     spin(job),
     functions(job.perRevolution ? 136 : 137),
     path({ axes: at(safeX, safeZ), compensation: "R0", feed: "max" }),
-    ...(isInBore(job) ? [path({ axes: axis("X", job.start.x), feed: "max" })] : []),
+    ...(place === "bore" ? [path({ axes: axis("X", job.start.x), feed: "max" })] : []),
+    ...(place === "low" ? [path({ axes: axis("Z", job.start.z), feed: "max" })] : []),
     ...assignments(job, known),
     ...(free ? [cycleLine(0, labels.contour.title), cycleLine(1, `${labels.contour.label}${CONTOUR_LABEL}`)] : []),
     {
@@ -119,11 +140,11 @@ export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statem
     path({
       axes: [...axis("X", job.start.x), { axis: "Y", value: 0, incremental: false }, ...axis("Z", job.start.z)],
       feed: "max",
-      functions: [303],
+      functions: [output.spindleOn],
     }),
     { kind: "cycleCall", how: "", words: noWords },
-    path({ axes: [{ axis: "Z", value: safeZ, incremental: false }], compensation: "R0", feed: "max" }),
-    functions(30),
+    ...wayOut(output, place, { x: safeX, z: safeZ }),
+    functions(output.end),
     ...(free
       ? [{ kind: "label" as const, label: CONTOUR_LABEL }, ...contourStatements(job.contour), { kind: "label" as const, label: 0 }]
       : []),
@@ -131,8 +152,20 @@ export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statem
   ];
 }
 
-/** The complete program text of a job, as the control writes it; empty when its cycle is not in the catalogue. */
+/** How the Klartext of a job is written. What is shown with the look of the manual, or leaves in DIN/ISO, runs as a file of the TNC 640. */
+export const styleOfJob = ({ layout, output: { newLine } }: Pick<Job, "layout" | "output">): Style => ({
+  ...LAYOUTS[layout === "tnc7" ? "tnc7" : "tnc640"],
+  newLine,
+});
+
+/** The complete program text of a job as a file that its control loads; empty when its cycle is not in the catalogue. */
 export function printJob(job: SetJob, labels: Labels): string {
   const cycle = cycleByNumber(job.cycle);
-  return cycle ? programText(jobStatements(job, cycle, labels), LAYOUTS[job.layout]) : "";
+  return cycle ? programText(jobStatements(job, cycle, labels), styleOfJob(job), job.output.numbered) : "";
+}
+
+/** The same program with the look of the printed manual: to read, since no control loads it. */
+export function printAsInManual(job: SetJob, labels: Labels): string {
+  const cycle = cycleByNumber(job.cycle);
+  return cycle ? programText(jobStatements(job, cycle, labels), LAYOUTS.manual, job.output.numbered) : "";
 }

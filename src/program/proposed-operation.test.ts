@@ -81,8 +81,9 @@ describe("an operation that is put in", () => {
       "90 L",
       "100 CYCL",
       "110 L",
-      "120 M30",
-      "130 END",
+      "120 M305",
+      "130 M30",
+      "140 END",
     ]);
     expect(next).not.toMatch(/[^\r]\n/);
   });

@@ -132,7 +132,9 @@ export function proposedOperation(cycle: Cycle, here: BeforeOperation): SetJob {
   const plain = jobFor(cycle, drawn(cycle, wanted), here.blank.length > 0 ? here.blank : null);
   const job = withOwnStart(withEdge(plain, cycle, wanted), cycle, wanted);
   const last = here.before.at(-1)?.spindle;
-  return { ...job, spindle: last ? spindleAsTyped(job.spindle, last) : job.spindle };
+  // A thread is cut at a constant speed, whatever was cut before it.
+  const fits = last && (cycle.group !== "thread" || last.kind === "constant");
+  return { ...job, spindle: fits ? spindleAsTyped(job.spindle, last) : job.spindle };
 }
 
 function spindleAsTyped(usual: SpindleDraft, spindle: NonNullable<Operation["spindle"]>): SpindleDraft {

@@ -20,6 +20,7 @@ const row = z.object({
   XL: cell,
   DZL: cell,
   DXL: cell,
+  DYL: cell,
   DRS: cell,
   ORI: cell,
   "T-ANGLE": cell,

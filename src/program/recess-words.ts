@@ -40,7 +40,6 @@ export function recessOf(
   index: number,
 ): Undercut | Groove | null {
   if (s.kind === "groove") {
-    machine.log.say(programIssue("wordsRecalled", "info", { what: `GRV ${s.form}` }), index);
     const direction = s.form === "AXIAL" ? "axial" : "radial";
     return { kind: "groove", direction, words: wordsOf(machine, s.words, GROOVE_WORDS, grooveDiameters(direction), index) };
   }

@@ -4,7 +4,7 @@ import type { Cycle, Given } from "../cycles/define.ts";
 import type { Params, Values } from "../cycles/params.ts";
 import { beginsAtTip } from "../cycles/wanted.ts";
 import { at, type Pt } from "../kernel/point.ts";
-import { METRIC } from "../kernel/strategy/thread.ts";
+import { METRIC } from "../kernel/metric-thread.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { diameter, radius, rounded, toDiameter, toRadius } from "../kernel/units.ts";
 import { checkTool } from "./check-tool.ts";

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { parse } from "../nc/parse.ts";
 import { simulate } from "../sim/simulate.ts";
-import { toDiameter } from "../kernel/units.ts";
+import { length, toDiameter } from "../kernel/units.ts";
 import { run } from "./run.ts";
 import { shippedTools } from "./shipped-tools.ts";
 
@@ -29,6 +29,15 @@ test("a correction holds the insert off the programmed tip, adds up over both sy
 test("a correction needs a tool, and its words a value", () => {
   expect(cut("FUNCTION MODE TURN", "FUNCTION TURNDATA CORR-TCS:Z/X DZL:0.1").codes).toContain("noToolCalled");
   expect(cut(...frame, "FUNCTION TURNDATA CORR-TCS:Z/X DZL:Q5").codes).toContain("parameterUnset");
+});
+
+test("DYL lies off the turning plane: kept, and not proved where it is not 0", () => {
+  const told = (DYL: number) => {
+    const tools = shippedTools.map((t) => (t.T === 3 ? { ...t, DYL: length(DYL) } : t));
+    const text = lines(...frame, "L X+40 Z+2 R0 FMAX M3", "L Z-20 F0.2", "L X+80 Z+30 FMAX");
+    return run(parse(text), { tools, rapid: 10_000 }).unproved.map((u) => u.what);
+  };
+  expect([told(-0.037), told(0)]).toEqual([["DYL"], []]);
 });
 
 const casting = ['LBL "CASTING"', "L X+0 Z+1", "L X+58", "L X+72 Z-9", "L Z-60", "L X+0", "LBL 0"];

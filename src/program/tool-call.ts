@@ -60,6 +60,8 @@ function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
     machine.log.say(programIssue("toolUnknown", "error", { tool: String(wanted) }, "tool"), index);
   if (tool && ((tool.DZL ?? 0) !== 0 || (tool.DXL ?? 0) !== 0))
     machine.log.say(programIssue("lengthDelta", "info", { tool: tool.T }, "tool"), index);
+  // Off the plane that is turned in: the edge may stand above or below the axis.
+  if (tool && (tool.DYL ?? 0) !== 0) machine.log.leaveUnproved("DYL", index);
   const deltas = [s.deltaLength, s.deltaRadius].some((d) => d !== null && d !== 0);
   if (deltas && tool && machine.now.turning) machine.log.leaveUnproved("DL DR", index);
 }

@@ -9,6 +9,7 @@ export const TOOL_COLUMNS = [
   "XL",
   "DZL",
   "DXL",
+  "DYL",
   "RS",
   "DRS",
   "TO",
@@ -42,7 +43,10 @@ export const MILL_TYPES = [MILL, ...DRILL_TYPES] as const;
 /** Columns of that table behind T, NAME and the type, in their order. */
 export const MILL_TABLE = ["R", "DR", "L", "DL", "T-ANGLE", "LCUTS", "PITCH"] as const satisfies readonly NumberColumn[];
 
-/** What a column of numbers holds. The ranges are recalled (tag K1, K2), not read on a printed page. */
+/**
+ * What a column of numbers holds. The ranges are recalled (tag K1, K2), not read on a printed page: what is printed for DXL, DYL and DZL,
+ * ±999.9999, belongs to the compensation table `.tco` (TNC7 basic, 81762x-19).
+ */
 export interface ColumnRule {
   readonly kind: "length" | "angle" | "number";
   readonly range: Field["range"];
@@ -61,6 +65,7 @@ export const COLUMN_RULES: Readonly<Record<NumberColumn, ColumnRule>> = {
   XL: anyLength,
   DZL: anyLength,
   DXL: anyLength,
+  DYL: anyLength,
   RS: size,
   DRS: { ...anyLength, range: [-999.9999, 999.9999] },
   TO: { kind: "number", range: [1, 9], decimals: 0 },

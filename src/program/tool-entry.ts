@@ -70,9 +70,12 @@ export function entryOf(tool: Tool, id: string): ToolEntry {
   return { id, cells };
 }
 
-/** Longest name of the control, and the characters it takes; small letters are accepted when they come from a file. */
+/**
+ * Longest name of the control, and the characters it takes (TNC7, 81762x-16, topic on tool names). It turns small letters into capitals on
+ * saving, as the page does while they are typed; a file may bring others.
+ */
 const LONGEST_NAME = 32;
-const NAME = /^[A-Z0-9 #$%&,\-._]*$/;
+const NAME = /^[A-Z0-9#$%&,\-._]*$/;
 
 function nameIssues(text: string): Issue[] {
   if (text.length > LONGEST_NAME) return [issue("toolName", "error", { text, max: LONGEST_NAME }, "NAME")];

@@ -18,6 +18,7 @@ const WIDTHS: Readonly<Record<TableColumn, number>> = {
   XL: 13,
   DZL: 13,
   DXL: 13,
+  DYL: 13,
   RS: 12,
   DRS: 11,
   TO: 4,

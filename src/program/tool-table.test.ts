@@ -26,6 +26,7 @@ const cells = fc.record({
   XL: length(-99999, 99999),
   DZL: length(-1, 1),
   DXL: length(-1, 1),
+  DYL: length(-1, 1),
   DRS: length(-0.1, 1),
   ORI: fc.integer({ min: -360, max: 360 }),
   "T-ANGLE": angle,
@@ -95,6 +96,8 @@ describe("a row of the table", () => {
     [{ "P-ANGLE": "85" }, ["P-ANGLE toolColumn"]],
     [{ "P-ANGLE": "" }, ["P-ANGLE flanksNotChecked"]],
     [{ NAME: "a" }, ["NAME toolName"]],
+    [{ NAME: "CNMG 80" }, ["NAME toolName"]],
+    [{ NAME: "CNMG_80-R0.8#$%&," }, []],
     [{ TYPE: "REAM" }, ["TYPE toolColumn"]],
     [{ TYPE: "DRILL" }, ["R missing"]],
     [{ ORI: "361" }, ["ORI toolColumn"]],
@@ -195,26 +198,26 @@ describe("the control's column text", () => {
 
   test("the shipped table", () =>
     expect(writeTableText(shippedTools)).toMatchInlineSnapshot(`
-    "BEGIN TOOLTURN.TRN MM
-    T       NAME                             ZL           XL           DZL          DXL          RS          DRS        TO  ORI       T-ANGLE  P-ANGLE  CUTLENGTH   CUTWIDTH    DCW          TYPE    
-    1       CNMG-80-R08                                                                          0.8                    1             95       80       12                                   ROUGH   
-    2       DNMG-55-R08                                                                          0.8                    1             93       55       12                                   ROUGH   
-    3       DNMG-55-R04                                                                          0.4                    1             93       55       12                                   FINISH  
-    4       VNMG-35-R04                                                                          0.4                    1             93       35       16                                   FINISH  
-    5       BORE-CCMT-80-R04                                                                     0.4                    7             95       80       9                                    ROUGH   
-    6       BORE-DCMT-55-R04                                                                     0.4                    7             93       55       9                                    FINISH  
-    7       LEFT-DNMG-55-R08                                                                     0.8                    3             93       55       12                                   ROUGH   
-    8       FACE-RECTURN-3                                                                       0.2                    8                               35          3                        RECTURN 
-    9       OD-RECTURN-3                                                                         0.2                    2                               30          3                        RECTURN 
-    10      OD-RECESS-2                                                                          0.1                    2                               20          2                        RECESS  
-    11      BUTTON-R3                                                                            3                      2                                                                    BUTTON  
-    12      THREAD-60-OD                                                                         0.1                    2                      60                                            THREAD  
-    13      THREAD-60-ID                                                                         0.1                    6                      60                                            THREAD  
-    14      ID-RECTURN-2                                                                         0.2                    6                               12          2                        RECTURN 
-    15      FACE-DNMG-55-R08                                                                     0.8                    1             120      55       12                                   ROUGH   
-    [END]
-    "
-  `));
+      "BEGIN TOOLTURN.TRN MM
+      T       NAME                             ZL           XL           DZL          DXL          DYL          RS          DRS        TO  ORI       T-ANGLE  P-ANGLE  CUTLENGTH   CUTWIDTH    DCW          TYPE    
+      1       CNMG-80-R08                                                                                       0.8                    1             95       80       12                                   ROUGH   
+      2       DNMG-55-R08                                                                                       0.8                    1             93       55       12                                   ROUGH   
+      3       DNMG-55-R04                                                                                       0.4                    1             93       55       12                                   FINISH  
+      4       VNMG-35-R04                                                                                       0.4                    1             93       35       16                                   FINISH  
+      5       BORE-CCMT-80-R04                                                                                  0.4                    7             95       80       9                                    ROUGH   
+      6       BORE-DCMT-55-R04                                                                                  0.4                    7             93       55       9                                    FINISH  
+      7       LEFT-DNMG-55-R08                                                                                  0.8                    3             93       55       12                                   ROUGH   
+      8       FACE-RECTURN-3                                                                                    0.2                    8                               35          3                        RECTURN 
+      9       OD-RECTURN-3                                                                                      0.2                    2                               30          3                        RECTURN 
+      10      OD-RECESS-2                                                                                       0.1                    2                               20          2                        RECESS  
+      11      BUTTON-R3                                                                                         3                      2                                                                    BUTTON  
+      12      THREAD-60-OD                                                                                      0.1                    2                      60                                            THREAD  
+      13      THREAD-60-ID                                                                                      0.1                    6                      60                                            THREAD  
+      14      ID-RECTURN-2                                                                                      0.2                    6                               12          2                        RECTURN 
+      15      FACE-DNMG-55-R08                                                                                  0.8                    1             120      55       12                                   ROUGH   
+      [END]
+      "
+    `));
 
   test("a table of other widths, order and columns, with a description, comma and inches", () => {
     const text = [

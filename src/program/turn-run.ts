@@ -3,11 +3,14 @@ import { partPoint, partSegment, planePoint, planeSegment } from "../kernel/plan
 import { part } from "../kernel/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import type { Statement, Words } from "../nc/statement.ts";
+import type { TipOrientation } from "../kernel/tool.ts";
+import type { Side } from "../kernel/plane.ts";
 import { isPolar } from "./approach-fields.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import { blockFeed, takeFeed } from "./block-feed.ts";
 import { noTool } from "./preconditions.ts";
+import { isDrillType } from "./tool-columns.ts";
 import { elementBetween, runHeldElement, moveOf, standAt, targetOf } from "./path-block.ts";
 import { coordinatesIn, type PathBlock } from "./path.ts";
 import type { Carrier } from "./carrier.ts";
@@ -41,6 +44,20 @@ export const closeTurn = (machine: Machine): void => {
 export const isGuided = (machine: Machine, words: Words): boolean =>
   machine.now.tool !== null && (machine.turnGuide.chain !== null || words.compensation === "RL" || words.compensation === "RR");
 
+/** Tip orientations that point along one axis, so that neither side is that of the insert. */
+const NEUTRAL: ReadonlySet<TipOrientation> = new Set([2, 4, 6, 8]);
+
+/**
+ * RL or RR begins with a neutral tip: its direction is printed as not clear (TNC7, 81762x-17, tool radius compensation of turning tools).
+ * Cycles compensate by themselves and are not meant.
+ */
+function sayNeutralTip(machine: Machine, side: Side, index: number): void {
+  const { tool } = machine.now;
+  if (side === "none" || !tool || isDrillType(tool.TYPE) || !NEUTRAL.has(tool.TO)) return;
+  const word = side === "left" ? "RL" : "RR";
+  machine.log.say(programIssue("compensationUndefined", "warning", { side: word, orientation: tool.TO }, "tool"), index);
+}
+
 /** Begins where the tip stands, unless a contour is under way. */
 function start(machine: Machine): void {
   if (machine.turnGuide.chain) return;
@@ -65,6 +82,7 @@ export function guidedPath(machine: Machine, block: PathBlock, index: number): v
   standAt(machine, block, target ?? machine.place.at);
   const to = machine.tip;
   if (!to) return closeTurn(machine);
+  if (requested !== (guide.chain?.side ?? "none")) sayNeutralTip(machine, requested, index);
   const path = from && elementBetween(machine, block, from, to, index);
   if (!path) machine.setPlace({ last: null });
   followPath(guide, carrierOf(machine), requested, {
@@ -88,6 +106,7 @@ export function turnApproach(machine: Machine, s: Extract<Statement, { kind: "ap
   if (!machine.now.tool) return noTool(machine, index);
   start(machine);
   const { departing, form, words } = s;
+  if (!departing) sayNeutralTip(machine, sideOf(words, "none"), index);
   const isEnd = !departing || form === "LCT" || form === "PLCT";
   const path: PathBlock = { path: isPolar(form) ? "LP" : "L", words };
   const to = isEnd ? targetOf(machine, path, index) : machine.place.at;

@@ -2,7 +2,7 @@ import type { Site, Wanted } from "../cycles/wanted.ts";
 import { boxOf } from "../kernel/box.ts";
 import { difference, offset, union } from "../kernel/clip.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
-import { METRIC } from "../kernel/strategy/thread.ts";
+import { METRIC } from "../kernel/metric-thread.ts";
 import { CHORD } from "../kernel/tolerance.ts";
 import { axial, diameter, radians, radius, rounded, toDiameter, toRadius } from "../kernel/units.ts";
 import { newRow, type BlankDraft, type ContourRow } from "./job.ts";

@@ -2,10 +2,9 @@ import { cycleByNumber } from "../cycles/index.ts";
 import type { Wanted } from "../cycles/wanted.ts";
 import { programText } from "../nc/print.ts";
 import type { Statement } from "../nc/statement.ts";
-import { LAYOUTS } from "../nc/style.ts";
 import type { SetJob } from "./job.ts";
 import { contourStatements } from "./print-contour.ts";
-import { jobStatements, type Labels } from "./print-job.ts";
+import { jobStatements, styleOfJob, type Labels } from "./print-job.ts";
 import { ringOf } from "./wanted-job.ts";
 import { blankRings, rowsOf } from "./wanted-shape.ts";
 import { part, type Ring, type Segment } from "../kernel/point.ts";
@@ -26,12 +25,12 @@ export function wantedText(job: SetJob, wanted: Wanted, labels: Labels): string 
   if (!cycle) return "";
   const plain = jobStatements(job, cycle, labels);
   const [shaped] = wanted.allowance > 0 ? blankRings(wanted, [ringOf(job.blank)]) : [];
-  if (!shaped) return programText(plain, LAYOUTS[job.layout]);
+  if (!shaped) return programText(plain, styleOfJob(job), job.output.numbered);
   const blank: Statement = { kind: "blankRotation", axis: "Z", measure: "D", outline: { label: BLANK_LABEL }, inner: null };
   const outline: Statement[] = [{ kind: "label", label: BLANK_LABEL }, ...contourStatements(rowsOf(round(shaped))), {
     kind: "label",
     label: 0,
   }];
   const all = plain.map((s) => (s.kind === "blankCylinder" ? blank : s));
-  return programText([...all.slice(0, -1), ...outline, ...all.slice(-1)], LAYOUTS[job.layout]);
+  return programText([...all.slice(0, -1), ...outline, ...all.slice(-1)], styleOfJob(job), job.output.numbered);
 }

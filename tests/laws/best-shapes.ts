@@ -127,7 +127,7 @@ export function drawnShape(draw: Draw, site: Site): Shape {
         CENTER: radial ? middle.z : middle.r,
         DEPTH: -site.out * depth,
         BREADTH: mm(5, 7),
-        ANGLE: draw.one(90, 100, 110),
+        ANG_WIDTH: draw.one(90, 100, 110),
         R: 0.4,
       };
       names.push(`GRV ${words.BREADTH} x ${depth}`);

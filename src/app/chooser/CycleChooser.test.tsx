@@ -42,6 +42,7 @@ describe("what is typed finds", () => {
     ["切槽", "recessTurning"],
   ])("by %s one of %s", (typed, group) => expect(groupsOf(typed)).toContain(group));
 
+  test("the name of DIN/ISO", () => expect(found("G820")).toEqual(found("820")));
   test("only what fits every word", () => {
     expect(found("shoulder xyzzy")).toEqual([]);
     expect(found("82 contour").every(({ number }) => String(number).startsWith("82"))).toBe(true);

@@ -35,7 +35,9 @@ function rankOf(cycle: MenuCycle, { word, words }: Sought, languages: readonly M
   return within(of.flatMap(({ summary, nc }) => [summary, nc])) ? 3 : null;
 }
 
-const wordsOf = (typed: string): readonly string[] => plain(typed).split(/[\s,;]+/).filter((word) => word !== "");
+/** Words as they are compared; G820, which DIN/ISO calls a cycle by, is its number. */
+const wordsOf = (typed: string): readonly string[] =>
+  plain(typed).split(/[\s,;]+/).filter((word) => word !== "").map((word) => word.replace(/^g(?=\d)/, ""));
 
 /** Those that fit everything that was typed by their number or name, in any of these languages. */
 export function findElsewhere(cycles: readonly Elsewhere[], typed: string, languages: readonly MenuWords[]): readonly Elsewhere[] {

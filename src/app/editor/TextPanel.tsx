@@ -1,9 +1,14 @@
-import { useEffect, useRef, useState } from "react";
+import { useEffect, useMemo, useRef, useState } from "react";
 import type { ShowBlock } from "../compare/compare-place.ts";
 import { Icon } from "../Icon.tsx";
 import { useVerdict } from "../findings/use-findings.ts";
 import { copyProgram } from "../leaving/copy-program.ts";
 import { CopyStatus } from "../leaving/CopyStatus.tsx";
+import { isUntied } from "../../nc/program.ts";
+import { withTiedLists } from "../../nc/tie-lists.ts";
+import { FileNote } from "../program/FileNote.tsx";
+import { useFileKind } from "../program/output.ts";
+import { isoFile } from "../printed.ts";
 import { mayLeave, type Way } from "../leaving/leaving.ts";
 import { ProgramMore } from "../program/ProgramMore.tsx";
 import { useCopying } from "../program/copy.ts";
@@ -11,7 +16,7 @@ import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { encode, notIn } from "./encoding.ts";
 import { downloadBytes } from "../files/download.ts";
-import { handOverText, openBlock, readWhole, sessionDom, sessionText, sessionView, useSession } from "./session.ts";
+import { editProgram, handOverText, openBlock, readWhole, sessionDom, sessionText, sessionView, useSession } from "./session.ts";
 import { shownFile, showFile, useShownName } from "../files/shown-file.ts";
 import { SaveButton } from "./SaveButton.tsx";
 import { SkipSwitch } from "./SkipSwitch.tsx";
@@ -31,6 +36,8 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
   const name = useShownName();
   const ready = useSession((s) => s.reading);
   const { faults } = useVerdict();
+  const kind = useFileKind();
+  const isUntiedText = useMemo(() => ready.program.blocks.some(isUntied), [ready]);
   const copied = useCopying((c) => c.state === "copied" && c.verdict !== null);
   const leavesOut = useEditor((s) => s.program?.skipMarked ?? false);
   const [saved, setSaved] = useState<string | null>(null);
@@ -54,6 +61,10 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
   };
   const allowed = (way: Way) => mayLeave(way, running());
   const download = () => downloadBytes(bytes(), name);
+  const downloadIso = async () => {
+    const { text } = await isoFile(sessionText() ?? "");
+    if (await allowed("download")) downloadBytes(encode(text, "utf-8"), `${name.replace(/\.[^.]*$/, "")}.i`);
+  };
 
   return (
     <section className={`program text-panel${leavesOut ? " leaves-out" : ""}`} aria-label={t.page.text.title}>
@@ -65,23 +76,35 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
           <Icon name="warning" /> {t.editor.otherEncoding(foreign, name)}
         </p>
       )}
+      <FileNote {...(isUntiedText
+        ? {
+          text: t.page.text.untied,
+          warns: true,
+          cure: { name: t.page.text.tie, go: () => editProgram(withTiedLists(ready.program), null) },
+        }
+        : { text: t.page.text.files[kind] })} />
       <div className="program-foot">
         {toBlock && <button type="button" className="button to-block" onClick={toBlock}>{t.editor.form}</button>}
         <div className="program-buttons">
-          <button type="button" className="button" aria-label={t.page.text.copyLong} onClick={() => {
+          <button type="button" className="button" aria-label={`${t.page.text.copyLong}: ${t.page.text.files[kind]}`} onClick={() => {
             void copyProgram(running(), sessionText() ?? "");
           }}>
-            <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.page.text.copy}
+            <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.page.text.copy}{" "}
+            <span className="small">{t.page.text.layouts[kind]}</span>
           </button>
           <SaveButton name={name} mayLeave={async () => (await allowed("save")) !== null} onSaved={setSaved} onDownload={download}
             showBlock={showTextBlock} />
-          <button type="button" className="button" aria-label={t.page.text.download(name)}
+          <button type="button" className="button" aria-label={`${t.page.text.download(name)}: ${t.page.text.files[kind]}`}
             onClick={() => void allowed("download").then((verdict) => verdict && download())}
           >
-            <Icon name="download" /> <span className="file-name">{name}</span>
+            <Icon name="download" /> <span className="file-name">{name}</span> <span className="small">{t.page.text.layouts[kind]}</span>
           </button>
         </div>
-        <ProgramMore showBlock={showTextBlock} />
+        <ProgramMore showBlock={showTextBlock}>
+          <button type="button" className="button plain" onClick={() => void downloadIso()}>
+            <Icon name="download" /> {t.page.text.asIso}
+          </button>
+        </ProgramMore>
       </div>
       <CopyStatus otherwise={saved === null ? "" : t.editor.saved(saved)} />
     </section>

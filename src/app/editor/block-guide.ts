@@ -49,6 +49,7 @@ const SPREADS: Readonly<Record<string, Spread>> = {
   R: HALF_AND_DOUBLE,
   ANGLE: { plus: [-4, 15] },
   "groove.ANGLE": { plus: [-15, 15] },
+  "groove.ANG_WIDTH": { plus: [-30, 30] },
   FACEDEPTH: HALF_AND_DOUBLE,
   FACEANGLE: { plus: [-3, 5] },
   ROT: { plus: [-15, 15] },

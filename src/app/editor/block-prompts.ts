@@ -25,7 +25,10 @@ export function readingOfBlock(program: Program, index: number, typed: Draft): J
   const s = program.blocks[index]?.statement;
   const cycle = s?.kind === "cycle" ? cycleByNumber(s.cycle) : undefined;
   if (!cycle || s?.kind !== "cycle") return null;
-  const draft: Draft = { ...Object.fromEntries(s.parameters.map((p) => [p.q, parameterAsTyped(p.value)])), ...typed };
+  // A list of older software runs with what the control fills in.
+  const filled = Object.entries<Param>(cycle.params).flatMap(([q, { filledIn }]) => (filledIn === null ? [] : [[q, String(filledIn)]]));
+  const written = s.parameters.map((p) => [p.q, parameterAsTyped(p.value)]);
+  const draft: Draft = { ...Object.fromEntries<string>([...filled, ...written] as [string, string][]), ...typed };
   const job: SetJob = {
     ...exampleJob(cycle),
     drafts: { [cycle.number]: draft },

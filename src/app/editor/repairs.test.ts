@@ -8,6 +8,7 @@ import { issueText } from "../issue-text.ts";
 import { lengthsOf } from "../lengths.ts";
 import { parse } from "../../nc/parse.ts";
 import { print } from "../../nc/program.ts";
+import { NC_OUTPUTS } from "../../program/nc-output.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { repairsOf, withTool } from "./repairs.ts";
 
@@ -100,7 +101,7 @@ test("the program that the cases are made of is right", () => {
 test.each(cases)("%s is mended by what is offered", (code, text, offered) => {
   const entry = findingsOf(null, outcomeOf(text)).find(({ issue }) => issue.code === code);
   if (!entry) throw new Error(`not found: ${code}; found: ${codes(text).join(" ")}`);
-  const [repair] = repairsOf(parse(text), entry, "en");
+  const [repair] = repairsOf(parse(text), entry, "en", NC_OUTPUTS.manual);
   expect(repair?.text).toBe(offered);
   expect(codes(print(repair?.next() ?? parse(text)))).not.toContain(code);
 });
@@ -108,7 +109,7 @@ test.each(cases)("%s is mended by what is offered", (code, text, offered) => {
 test("a value is taken without touching anything else", () => {
   const text = changed(cycle812(), cycle812().replace("Q463=+2.3", "Q463=+1200"));
   const entry = findingsOf(null, outcomeOf(text)).find(({ issue }) => issue.code === "outOfRange");
-  const [repair] = entry ? repairsOf(parse(text), entry, "en") : [];
+  const [repair] = entry ? repairsOf(parse(text), entry, "en", NC_OUTPUTS.manual) : [];
   expect(repair && print(repair.next())).toBe(text.replace("Q463=+1200", "Q463=+999.999"));
 });
 
@@ -121,7 +122,7 @@ test("M303 joins the block that positions, which keeps what it has; a block that
   const mended = (position: string) => {
     const text = changed("L X+61.3 Y+0 Z+2 FMAX M303", position);
     const entry = findingsOf(null, outcomeOf(text)).find(({ issue }) => issue.code === "spindleStopped");
-    return (entry ? repairsOf(parse(text), entry, "en") : []).map((repair) => print(repair.next()));
+    return (entry ? repairsOf(parse(text), entry, "en", NC_OUTPUTS.manual) : []).map((repair) => print(repair.next()));
   };
   const around = (...blocks: string[]) => [numbered(RIGHT.flatMap((block) => (block === "L X+61.3 Y+0 Z+2 FMAX M303" ? blocks : [block])))];
   expect(mended("L X+61.3 Y+0 Z+2 FMAX M8")).toEqual(around("L X+61.3 Y+0 Z+2 FMAX M8 M303"));
@@ -133,11 +134,11 @@ test("in an inch program a value is offered, and said, in inches: what the tool 
   const text = readFileSync("tests/programs/shoulder-inch.h", "utf8").replace("Q463=+0.1181", "Q463=+0.9");
   const outcome = outcomeOf(text), entry = findingsOf(null, outcome).find(({ issue }) => issue.code === "infeedOverCutLength");
   if (!entry) throw new Error("it is found");
-  const [repair] = repairsOf(parse(text), entry, "en");
+  const [repair] = repairsOf(parse(text), entry, "en", NC_OUTPUTS.manual);
   expect(repair?.text).toBe(0.4724);
   expect(repair && print(repair.next())).toContain("Q463=+0.4724 ");
   const said = issueText(texts("en"), lengthsOf("en", outcome.run.program.unit), entry.issue, 812);
   expect(said).toBe("Infeed 0.9 is more than CUTLENGTH 0.4724: it is reduced to 0.4724.");
-  const mend = (body: string) => repairsOf(parse(body), { ...entry, at: "Q463" }, "en")[0];
+  const mend = (body: string) => repairsOf(parse(body), { ...entry, at: "Q463" }, "en", NC_OUTPUTS.manual)[0];
   expect(mend(text.replace(" INCH\n1", " MM\n1"))?.text).toBe(12);
 });

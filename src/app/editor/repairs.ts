@@ -2,10 +2,13 @@ import { withBlock, withInserted } from "../../nc/edit.ts";
 import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import { statementLines } from "../../nc/print.ts";
 import { styleAt } from "../../nc/read-style.ts";
+import { withTiedLists } from "../../nc/tie-lists.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { valueInProgram } from "../../program/cycle-values.ts";
 import { kept } from "../../program/field.ts";
+import type { NcOutput } from "../../program/nc-output.ts";
+import { outputIn } from "../../program/output-in.ts";
 import { STOPS_SPINDLE } from "../../program/spindle-start.ts";
 import { noWords, POSITION_DECIMALS, positionAsTyped } from "../../program/typed-value.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
@@ -17,7 +20,7 @@ import { withContour, withContourNamed } from "./missing-contour.ts";
 
 /** A change of the program that mends a finding: a value taken, a block put in, a word written, something taken out. */
 export interface Repair {
-  readonly kind: "take" | "insert" | "write" | "remove";
+  readonly kind: "take" | "insert" | "write" | "remove" | "tie";
   /** The value, the block or the word, as the program writes it; a value as a number. */
   readonly text: string | number;
   /** Number of the block that is changed. */
@@ -162,11 +165,8 @@ const toolCallOf = (tool: number): Statement => ({
 /** How far from the blank a start point stands that nobody has chosen, ⌀ and Z, mm. */
 const CLEAR = 2;
 
-/** Starts the turning spindle in the printed programs. */
-const START_TURNING = 303;
-
 /** A start point beside the blank right before a call that has none, with the spindle on. */
-function withKnownStart(program: Program, index: number): Repair | null {
+function withKnownStart(program: Program, index: number, spindleOn: number): Repair | null {
   const called = program.blocks[index]?.statement;
   const blank = program.blocks.find(({ statement: s }) => s.kind === "blankCylinder")?.statement;
   if (called?.kind !== "cycleCall" || blank?.kind !== "blankCylinder") return null;
@@ -177,24 +177,24 @@ function withKnownStart(program: Program, index: number): Repair | null {
     value: kept(distance ?? 0, POSITION_DECIMALS) + inProgram(program, CLEAR),
     incremental: false,
   }];
-  const start: Statement = { kind: "path", path: "L", words: { ...noWords, axes, feed: "max", functions: [START_TURNING] } };
+  const start: Statement = { kind: "path", path: "L", words: { ...noWords, axes, feed: "max", functions: [spindleOn] } };
   return asking([insertion(program, index, [start], index)])[0] ?? null;
 }
 
 /** How many M functions a block takes on every control. */
 const MOST_FUNCTIONS = 2;
 
-/** M303 in the block that positions for a call, or in one of its own right before the call. */
-function withSpindleStarted(program: Program, call: number): Repair {
+/** The function that starts the spindle in the block that positions for a call, or in one of its own right before the call. */
+function withSpindleStarted(program: Program, call: number, spindleOn: number): Repair {
   const moves = program.blocks[call]?.statement.kind === "path" ? call : call - 1;
   const block = program.blocks[moves];
   const s = block?.statement;
   const hasRoom = s?.kind === "path" && !block?.skip && s.words.functions.length < MOST_FUNCTIONS
     && !s.words.functions.some((m) => STOPS_SPINDLE.includes(m));
   if (!hasRoom)
-    return insertion(program, call, [{ kind: "functions", words: { ...noWords, functions: [START_TURNING] } }], call);
-  const next = () => withBlock(program, moves, { ...s, words: { ...s.words, functions: [...s.words.functions, START_TURNING] } });
-  return { kind: "write", text: `M${START_TURNING}`, block: String(blockNumbers(program)[moves] ?? ""), next, open: moves };
+    return insertion(program, call, [{ kind: "functions", words: { ...noWords, functions: [spindleOn] } }], call);
+  const next = () => withBlock(program, moves, { ...s, words: { ...s.words, functions: [...s.words.functions, spindleOn] } });
+  return { kind: "write", text: `M${spindleOn}`, block: String(blockNumbers(program)[moves] ?? ""), next, open: moves };
 }
 
 /** Another length or radius of an approach or departure. */
@@ -211,7 +211,7 @@ const FIRST_LABEL = 1;
 const asking = (repairs: readonly Repair[]): readonly Repair[] => repairs.map((repair) => ({ ...repair, asks: true }));
 
 /** The changes of the program that mend a finding, surest first; none where only the operator can know. */
-export function repairsOf(program: Program, entry: FindingEntry, language: Language): readonly Repair[] {
+export function repairsOf(program: Program, entry: FindingEntry, language: Language, output: NcOutput): readonly Repair[] {
   const index = indexOf(program, entry);
   const { issue, at } = entry;
   const insert = (place: number, ...statements: Statement[]) => [insertion(program, place, statements, index)];
@@ -226,13 +226,15 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
         insert(toolCallBefore(program, index) + 1, { kind: "spin", constantSurface: true, cuttingSpeed: 180, speed: null, limit: 2500 }),
       );
     case "spindleStopped":
-      return [withSpindleStarted(program, index)];
+      return [withSpindleStarted(program, index, outputIn(program, output).spindleOn)];
     case "noToolCalled":
       return asking(insert(placeBehindFrame(program, index), toolCallOf(1)));
     case "startUnknown":
-      return maybe(withKnownStart(program, index));
+      return maybe(withKnownStart(program, index, outputIn(program, output).spindleOn));
     case "programEndMissing":
-      return insert(placeOfEnd(program), { kind: "functions", words: { ...noWords, functions: [30] } });
+      return insert(placeOfEnd(program), { kind: "functions", words: { ...noWords, functions: [output.end] } });
+    case "listWithoutTilde":
+      return [{ kind: "tie", text: "~", block: "", open: index, next: () => withTiedLists(program) }];
     case "blankMissing":
       return asking(insert(lastOf(program, program.blocks.length, (s) => s.kind === "begin") + 1, {
         kind: "blankCylinder",

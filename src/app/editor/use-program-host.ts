@@ -11,6 +11,7 @@ import { isIn, ownPlace } from "../files/shown-findings.ts";
 import { placeInFile } from "../issue-text.ts";
 import type { Program } from "../../nc/program.ts";
 import { showSection } from "../place.ts";
+import { outputInUse } from "../program/output.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { fixOf } from "./diagnostics.ts";
@@ -59,6 +60,7 @@ export function useProgramHost(): FindingsHost {
     const isShown = (entry: FindingEntry) => isIn({ inFile: fileOfEntry(entry) === null ? undefined : entry.inFile }, beside);
     const nameOf = ({ kind, text, block }: Repair): string => {
       if (kind === "take") return t.dialog.takeNearest(typeof text === "number" ? writeTyped(language, text, DECIMALS) : text);
+      if (kind === "tie") return t.page.text.tie;
       if (kind === "write") return t.findings.write(String(text), block);
       return kind === "insert" ? t.findings.insert(String(text)) : t.findings.remove(String(text));
     };
@@ -79,7 +81,7 @@ export function useProgramHost(): FindingsHost {
       const view = sessionView();
       if (!view || !isPresent(newest) || !isShown(entry)) return [];
       const own = inOwnText(entry);
-      const repairs = repairsOf(program, own, language).map((repair): Mend => ({
+      const repairs = repairsOf(program, own, language, outputInUse()).map((repair): Mend => ({
         name: nameOf(repair),
         apply: () => {
           editProgram(repair.next(), null, repair.open);

@@ -6,8 +6,9 @@ import { untilHere } from "../parts.ts";
 import { notice, startWork } from "../saving/keep.ts";
 import { changeProgram, useEditor } from "../store.ts";
 import { bringIn, isArchiveName } from "../works/bring-in-place.ts";
-import { textsOf, withFile, type ProgramWork, type WorkFile } from "../work.ts";
+import { broughtBy, textsOf, withFile, type ProgramWork, type WorkFile } from "../work.ts";
 import { fileNameOf } from "./file-name.ts";
+import { asKlartext, mayBeIso } from "./iso-file.ts";
 import { askWhich, useChoice } from "./choice.ts";
 import type { FolderContent } from "./folder.ts";
 import { handleOf, plainFiles, type Chosen, type FileHandle } from "./file-handle.ts";
@@ -27,12 +28,14 @@ interface Read {
   readonly whole: boolean;
 }
 
-/** The texts of chosen files; of two with one name the first counts. */
+/** The texts of chosen files; of two with one name the first counts. A translated one is not written back to where it came from. */
 async function read(chosen: readonly Chosen[]): Promise<Read> {
   const all = await Promise.all(chosen.map(async ({ file, handle }) => {
     try {
       const bytes = new Uint8Array(await file.arrayBuffer());
-      return { file: { name: file.name, ...decode(bytes) }, handle, bytes };
+      const own = { name: file.name, ...decode(bytes) };
+      const klartext = await asKlartext(own);
+      return { file: klartext, handle: klartext === own ? handle : null, bytes };
     } catch {
       return null;
     }
@@ -152,9 +155,13 @@ export async function addFiles(chosen: readonly Chosen[], name: string | null = 
   if (!found.whole) notice("fileUnreadable");
 }
 
-/** Opens text that was pasted or printed; what the work that it was printed from runs with goes along. */
-export const openText = (text: string, { tools, control }: HandedOn = {}): void =>
-  openProgram({ name: fileNameOf(text), text, encoding: "utf-8", ...(tools && { tools }), ...(control && { control }) });
+/** Opens text that was pasted or printed; what the work that it was printed from runs with, and how it is written, goes along. */
+export function openText(text: string, { output, ...brought }: HandedOn & Pick<ProgramWork, "output"> = {}): void {
+  const file = { name: fileNameOf(text), text, encoding: "utf-8" } as const;
+  const open = (made: WorkFile) => openProgram({ ...made, ...broughtBy(brought), ...(output && { output }) });
+  if (mayBeIso(text)) void asKlartext(file).then(open);
+  else open(file);
+}
 
 /** What is dropped on a program that waits for just these files belongs to it. */
 function areWaitedFor(chosen: readonly Chosen[]): boolean {

@@ -65,6 +65,7 @@ const toolPlaces: ReadonlySet<string> = new Set([
   "XL",
   "DZL",
   "DXL",
+  "DYL",
   "ORI",
   "T-ANGLE",
   "P-ANGLE",

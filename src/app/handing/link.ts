@@ -7,11 +7,14 @@ import type { Work } from "../work.ts";
 import { COMMON } from "./words-of-links.ts";
 
 /** What stands between the page's address and the work: the form of the link. Newer forms have higher numbers. */
-export const LINK_FORM = 1;
+export const LINK_FORM = 2;
 export const LINK_MARK = `#h${LINK_FORM}=`;
 /** Forms of earlier editions: the text of a program alone, and a program with what belongs to it. */
 const TEXT_MARK = "#p=";
 const PROGRAM_MARK = "#w=";
+const WORK_MARK = "#h1=";
+/** Version of saved works at the time of these. */
+const EARLIER_VERSION = 2;
 
 const toBase64Url = (bytes: Uint8Array): string => {
   let text = "";
@@ -45,18 +48,19 @@ export type ReadLink = { readonly kind: "work"; readonly work: Work } | { readon
 function workIn(mark: string, text: string): Work | null {
   if (mark === TEXT_MARK) return { name: fileNameOf(text), text, encoding: "utf-8" };
   const raw: unknown = JSON.parse(text);
-  if (mark === PROGRAM_MARK) return plainWork(raw);
-  return plainWork(typeof raw === "object" && raw !== null && "work" in raw ? raw.work : null);
+  if (mark === PROGRAM_MARK) return plainWork(raw, EARLIER_VERSION);
+  const work = typeof raw === "object" && raw !== null && "work" in raw ? raw.work : null;
+  return mark === WORK_MARK ? plainWork(work, EARLIER_VERSION) : plainWork(work);
 }
 
 /** The work of a link's part behind `#`. Never throws, and never unpacks more than it opens. */
 export function readLink(hash: string, most = LARGEST_PROGRAM): ReadLink {
   const form = /^#h(\d+)=/.exec(hash)?.[1];
   if (form !== undefined && Number(form) > LINK_FORM) return { kind: "newer" };
-  const mark = [TEXT_MARK, PROGRAM_MARK, LINK_MARK].find((each) => hash.startsWith(each));
+  const mark = [TEXT_MARK, PROGRAM_MARK, WORK_MARK, LINK_MARK].find((each) => hash.startsWith(each));
   if (mark === undefined) return { kind: "damaged" };
   try {
-    const text = unpackedText(fromBase64Url(hash.slice(mark.length)), most, mark === LINK_MARK ? COMMON : null);
+    const text = unpackedText(fromBase64Url(hash.slice(mark.length)), most, mark === LINK_MARK || mark === WORK_MARK ? COMMON : null);
     if (text === null) return { kind: "tooLarge" };
     const work = workIn(mark, text);
     return work ? { kind: "work", work } : { kind: "damaged" };

@@ -130,7 +130,8 @@ test("a cycle that is opened as a program keeps what it came with", () => {
   if (!cycle) throw new Error("the catalogue is empty");
   const tools = shippedList.slice(2, 4);
   openText("0 BEGIN PGM A MM\n", { ...exampleJob(cycle), tools, control: "TNC7" });
-  expect(open()).toEqual({ name: "A.h", text: "0 BEGIN PGM A MM\n", encoding: "utf-8", tools, control: "TNC7" });
+  const { output } = exampleJob(cycle);
+  expect(open()).toEqual({ name: "A.h", text: "0 BEGIN PGM A MM\n", encoding: "utf-8", tools, control: "TNC7", output });
   openText("0 BEGIN PGM B MM\n");
   expect(open()).toEqual({ name: "B.h", text: "0 BEGIN PGM B MM\n", encoding: "utf-8" });
 });

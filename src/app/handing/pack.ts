@@ -2,7 +2,7 @@ import { rowsCalled } from "../../program/tool-list.ts";
 import { time } from "../clock.ts";
 import { draftOf } from "../edits.ts";
 import { reportOf } from "../engine/beside.ts";
-import { printedText, programName } from "../printed.ts";
+import { fileOfJob } from "../printed.ts";
 import { setJobOf } from "../reading.ts";
 import { writeArchive } from "../saving/archive.ts";
 import { controlInUse, listInUse } from "../tools/work-tools.ts";
@@ -24,7 +24,7 @@ const alone = (job: Job): Job => ({ ...job, tool: setJobOf(job).tool, drafts: { 
 
 /** Packs the open work with the tools that it uses and the control it runs as. */
 export async function packed(open: Work): Promise<Packed> {
-  const file = isProgram(open) ? open.name : `${programName(printedText(open))}.h`;
+  const file = isProgram(open) ? open.name : fileOfJob(open);
   const [list, control] = [listInUse(), controlInUse()];
   const made = await reportOf(open, file);
   const tools = rowsCalled(list, made?.used ?? null);

@@ -3,9 +3,10 @@ import type { Texts } from "../../i18n/index.ts";
 import type { Lengths } from "../../i18n/lengths.ts";
 import { toneOf, type ShownVerdict } from "../findings/verdict.ts";
 import { verdictReasons, verdictTitle } from "../findings/verdict-words.ts";
-import { blockCount } from "../printed.ts";
 import { closeCopying, useCopying } from "../program/copy.ts";
+import { useFileKind } from "../program/output.ts";
 import { useLengths } from "../lengths.ts";
+import { blockCount } from "../printed.ts";
 import { useTexts } from "../settings/use-texts.ts";
 
 /** What is to be known of a program that is not all well. */
@@ -20,13 +21,14 @@ export function CopyStatus({ otherwise = "" }: { readonly otherwise?: string }) 
   const t = useTexts();
   const lengths = useLengths();
   const { state, text, verdict } = useCopying();
+  const kind = useFileKind();
   useEffect(() => closeCopying, []);
   const copied = state === "copied" && verdict !== null;
   const tone = copied ? toneOf(verdict) : "good";
   const note = copied && tone !== "good" && tone !== "plain" ? doubtOf(verdict, t, lengths) : "";
   return (
     <p role="status" className={`small copy-status copy-${tone}`}>
-      {copied ? `${t.page.text.copiedLong(blockCount(text))} ${note}`.trim() : otherwise}
+      {copied ? `${t.page.text.copiedLong(blockCount(text))} ${t.page.text.files[kind]}. ${note}`.trim() : otherwise}
     </p>
   );
 }

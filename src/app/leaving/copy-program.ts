@@ -1,3 +1,5 @@
+import type { Job } from "../../program/job.ts";
+import { leavingText, printedText } from "../printed.ts";
 import { copyText } from "../program/copy.ts";
 import { mayLeave } from "./leaving.ts";
 
@@ -6,3 +8,6 @@ export async function copyProgram(program: string, marked = program): Promise<vo
   const verdict = await mayLeave("copy", program);
   if (verdict) await copyText(marked, verdict);
 }
+
+/** Copies the program of a job as the file that its control loads. */
+export const copyJob = async (job: Job): Promise<void> => copyProgram(printedText(job), await leavingText(job));

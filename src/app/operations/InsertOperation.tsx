@@ -16,6 +16,7 @@ import { showFile } from "../files/shown-file.ts";
 import { Icon } from "../Icon.tsx";
 import { lazyPart } from "../parts.ts";
 import { showSection } from "../place.ts";
+import { outputInUse } from "../program/output.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { contourAt } from "../which/region.ts";
@@ -43,7 +44,7 @@ function insertOperation(job: SetJob, title: string, behind: number | null): voi
   const { language } = useSettings.getState();
   showFile(null);
   const { program } = useSession.getState().reading;
-  const next = withOperation(program, { ...job, ncLanguage: language }, ncLabels(language), { behind, title });
+  const next = withOperation(program, { ...job, ncLanguage: language, output: outputInUse() }, ncLabels(language), { behind, title });
   editProgram(next, null, openingBlock(next, behind === null ? 0 : behind + 1));
   showSection("block");
 }

@@ -1,10 +1,10 @@
 import { useVerdict } from "../findings/use-findings.ts";
-import { copyProgram } from "../leaving/copy-program.ts";
+import { copyJob } from "../leaving/copy-program.ts";
 import { Icon } from "../Icon.tsx";
-import { printedText } from "../printed.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { useCopying } from "./copy.ts";
+import { useFileKind } from "./output.ts";
 
 /** Copies the program, and says so on its own face. It is the main button only while nothing is wrong. */
 export function CopyButton({ main = false, long = false }: { readonly main?: boolean; readonly long?: boolean }) {
@@ -13,13 +13,14 @@ export function CopyButton({ main = false, long = false }: { readonly main?: boo
   const { faults, open } = useVerdict();
   const done = useCopying((c) => c.state === "copied" && c.verdict !== null);
   const wrong = faults > 0 || open > 0;
+  const kind = useFileKind();
   if (!job) return null;
   return (
-    <button type="button" className={`button${main && !wrong ? " primary" : ""}`} aria-label={t.copyLong}
-      onClick={() => void copyProgram(printedText(job))}
+    <button type="button" className={`button${main && !wrong ? " primary" : ""}`} aria-label={`${t.copyLong}: ${t.files[kind]}`}
+      onClick={() => void copyJob(job)}
     >
       <Icon name={wrong ? "warning" : done ? "check" : "copy"} />
-      {done ? t.copied : long ? t.copyLong : t.copy}
+      {done ? t.copied : long ? t.copyLong : t.copy} {!long && <span className="small">{t.layouts[kind]}</span>}
     </button>
   );
 }

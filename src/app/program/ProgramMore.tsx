@@ -15,6 +15,7 @@ import { isProgram, type Work } from "../work.ts";
 const HandOnDialog = lazyPart(async () => ({ default: (await import("../handing/HandOnDialog.tsx")).HandOnDialog }));
 const PartExport = lazyPart(async () => ({ default: (await import("../export/PartExport.tsx")).PartExport }));
 const ProgramDrawing = lazyPart(async () => ({ default: (await import("../course/drawing/ProgramDrawing.tsx")).ProgramDrawing }));
+const OutputDialog = lazyPart(async () => ({ default: (await import("./OutputDialog.tsx")).OutputDialog }));
 const TeachDialog = lazyPart(async () => ({ default: (await import("../course/teach/TeachDialog.tsx")).TeachDialog }));
 
 /** A work on its way out, with the verdict that goes with it. */
@@ -54,6 +55,7 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
   const [handed, handOn] = useState<Leaving | null>(null);
   const [exported, exportPart] = useState<string | null>(null);
   const [drawn, draw] = useState<string | null>(null);
+  const [sets, setOutput] = useState(false);
   const [taught, teach] = useState<{ readonly text: string; readonly work: string } | null>(null);
   return (
     <div className="program-more">
@@ -98,6 +100,12 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
         </Suspense>
       )}
       <CompareButton showBlock={showBlock} />
+      <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => setOutput(true)}>{t.output}</button>
+      {sets && (
+        <Suspense>
+          <OutputDialog done={() => setOutput(false)} />
+        </Suspense>
+      )}
       {children}
     </div>
   );

@@ -1,11 +1,12 @@
 import { LANGUAGE_NAMES, LANGUAGES, isLanguage, ncLanguage } from "../../i18n/languages.ts";
+import { JOB_LAYOUTS } from "../../program/nc-output.ts";
 import { setLayout, setName, setNcLanguage } from "../edits.ts";
 import { openText } from "../files/open-program.ts";
 import { Icon } from "../Icon.tsx";
 import { Late } from "../Late.tsx";
 import { CopyStatus } from "../leaving/CopyStatus.tsx";
 import { mayLeave } from "../leaving/leaving.ts";
-import { printedText, programName } from "../printed.ts";
+import { fileOfJob, leavingText, printedText } from "../printed.ts";
 import type { JobReading } from "../reading.ts";
 import { changeSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -13,6 +14,8 @@ import { closeStep } from "../steps.ts";
 import { chooseJobLine, useChosenLine } from "./choose-line.ts";
 import { CopyButton } from "./CopyButton.tsx";
 import { downloadText } from "../files/download.ts";
+import { FileNote } from "./FileNote.tsx";
+import { useFileKind, useShownText } from "./output.ts";
 import { ProgramMore } from "./ProgramMore.tsx";
 import { ProgramText } from "./ProgramText.tsx";
 import { useRunningBlock } from "./running-block.ts";
@@ -21,10 +24,15 @@ import { useRunningBlock } from "./running-block.ts";
 export function ProgramPanel({ read, foldable }: { readonly read: JobReading; readonly foldable: boolean }) {
   const { page: { text: t, programs: open } } = useTexts();
   const { job } = read;
-  const text = printedText(job);
-  const file = `${programName(text)}.h`;
+  const { text, iso } = useShownText(job);
+  const file = fileOfJob(job);
+  const kind = useFileKind();
   const running = useRunningBlock();
   const chosen = useChosenLine(read);
+  const download = async () => {
+    const leaving = await leavingText(job);
+    if (await mayLeave("download", printedText(job))) downloadText(leaving, file);
+  };
 
   return (
     <section className="program" aria-label={t.title}>
@@ -46,9 +54,10 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
         </label>
         <label>
           <span>{t.layout}</span>
-          <select className="select" value={job.layout} onChange={(e) => setLayout(e.target.value === "tnc7" ? "tnc7" : "tnc640")}>
-            <option value="tnc640">{t.layouts.tnc640}</option>
-            <option value="tnc7">{t.layouts.tnc7}</option>
+          <select className="select" value={job.layout}
+            onChange={(e) => setLayout(JOB_LAYOUTS.find((layout) => layout === e.target.value) ?? "tnc640")}
+          >
+            {JOB_LAYOUTS.map((layout) => <option key={layout} value={layout}>{t.layouts[layout]}</option>)}
           </select>
         </label>
         <label>
@@ -69,17 +78,20 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
       <Late>
         <ProgramText text={text} running={running} chosen={chosen} choose={(line) => void chooseJobLine(read, line)} />
       </Late>
+      <FileNote {...(job.layout === "manual"
+        ? { text: t.manualView, warns: true, cure: { name: t.showFile, go: () => setLayout("tnc640") } }
+        : { text: iso ? `${t.files.iso}. ${t.isoKept(iso.kept.map((n) => `N${n}`).join(", "))} ${t.isoUnverified}` : t.files[kind] })} />
       <div className="program-foot">
         <div className="program-buttons">
           <CopyButton main />
-          <button type="button" className="button" aria-label={t.download(file)}
-            onClick={() => void mayLeave("download", text).then((verdict) => verdict && downloadText(text, file))}
+          <button type="button" className="button" aria-label={`${t.download(file)}: ${t.files[kind]}`} onClick={() =>
+            void download()}
           >
-            <Icon name="download" /> <span className="file-name">{file}</span>
+            <Icon name="download" /> <span className="file-name">{file}</span> <span className="small">{t.layouts[kind]}</span>
           </button>
         </div>
         <ProgramMore showBlock={(_, __, number) => void chooseJobLine(read, { block: number, q: null })}>
-          <button type="button" className="button plain" title={open.fromJobLong} onClick={() => openText(text, job)}>
+          <button type="button" className="button plain" title={open.fromJobLong} onClick={() => openText(printedText(job), job)}>
             {open.fromJob}
           </button>
         </ProgramMore>

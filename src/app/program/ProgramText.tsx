@@ -1,25 +1,8 @@
 import { memo, useEffect, useMemo, useRef } from "react";
 import { guardCopy } from "../leaving/whole-program.ts";
 import { KEEPS_KEYBOARD } from "../place.ts";
+import { printedBlocks } from "../printed.ts";
 import { useTexts } from "../settings/use-texts.ts";
-
-/** One block of the program: its number and its lines. */
-interface Shown {
-  readonly number: number | null;
-  readonly lines: readonly string[];
-}
-
-/** Lines belong to the numbered line before them: a cycle keeps one number for all its lines. */
-export function blocksOf(text: string): readonly Shown[] {
-  const blocks: { number: number | null; lines: string[] }[] = [];
-  for (const line of text.replace(/\n$/, "").split(/\r?\n/)) {
-    const number = /^(\d+)\s/.exec(line);
-    const open = blocks.at(-1);
-    if (number || !open) blocks.push({ number: number ? Number(number[1]) : null, lines: [line] });
-    else open.lines.push(line);
-  }
-  return blocks;
-}
 
 /** A line of the program, by the number of its block, and the parameter that stands on it. */
 export interface ChosenLine {
@@ -42,7 +25,7 @@ function showWithPicture(frame: HTMLElement | null, which: string): () => void {
 }
 
 interface BlockProps {
-  readonly number: number | null;
+  readonly number: number;
   readonly text: string;
   readonly runs: boolean;
   readonly isChosen: boolean;
@@ -55,7 +38,7 @@ const Block = memo(function Block({ number, text, runs, isChosen, q }: BlockProp
   const t = useTexts().page.text, lines = text.split("\n");
   return (
     <li className={`${runs ? "running" : ""}${isChosen ? " chosen" : ""}`.trim()} aria-current={runs ? "step" : undefined}
-      {...(number !== null ? { "data-block": number } : {})}
+      data-block={number}
     >
       {lines.map((line, n) => <code key={n} className={isChosen && q === qOfLine(line) ? "chosen-line" : ""}>{line || " "}</code>)}
       {runs && <span className="unseen">({t.running})</span>}
@@ -72,7 +55,7 @@ export function ProgramText({ text, running, chosen, choose }: {
   readonly choose: (line: ChosenLine) => void;
 }) {
   const t = useTexts().page.text;
-  const blocks = useMemo(() => blocksOf(text), [text]);
+  const blocks = useMemo(() => printedBlocks(text), [text]);
   const box = useRef<HTMLDivElement>(null);
 
   useEffect(() => showWithPicture(box.current, "[aria-current]"), [running]);
@@ -86,9 +69,7 @@ export function ProgramText({ text, running, chosen, choose }: {
   };
   /** Up and down go from line to line: the lines of a cycle are its parameters. */
   const step = (by: number) => {
-    const lines = blocks.flatMap(({ number, lines: all }) =>
-      number === null ? [] : all.map((line): ChosenLine => ({ block: number, q: qOfLine(line) }))
-    );
+    const lines = blocks.flatMap(({ number, lines: all }) => all.map((line): ChosenLine => ({ block: number, q: qOfLine(line) })));
     const at = lines.findIndex((line) => line.block === (chosen?.block ?? running) && line.q === (chosen?.q ?? null));
     const next = lines[Math.min(lines.length - 1, Math.max(0, at + by))];
     if (next) choose(next);
@@ -103,9 +84,9 @@ export function ProgramText({ text, running, chosen, choose }: {
     }}>
       <ol aria-label={t.blocks} onClick={(event) => press(event.target)}>
         {blocks.map(({ number, lines }, i) => {
-          const isChosen = number !== null && number === chosen?.block;
+          const isChosen = number === chosen?.block;
           return (
-            <Block key={i} number={number} text={lines.join("\n")} runs={number !== null && number === running} isChosen={isChosen}
+            <Block key={i} number={number} text={lines.join("\n")} runs={number === running} isChosen={isChosen}
               q={isChosen ? chosen.q : null} />
           );
         })}

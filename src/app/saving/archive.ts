@@ -12,7 +12,9 @@ import { readTaughtList, writeTaught } from "../course/teach/taught-list.ts";
 import { readWorked, writeWorked, type WorkedTasks } from "../course/teach/worked-list.ts";
 import { encode } from "../editor/encoding.ts";
 import { readKeptOwn } from "../own/keep-own.ts";
-import { printedText, programName } from "../printed.ts";
+import { parse } from "../../nc/parse.ts";
+import { isoProgramText } from "../../nc/iso/print-iso.ts";
+import { fileOfJob, printedText } from "../printed.ts";
 import { readSettings, type Settings } from "../settings/settings.ts";
 import { keptTable, readKept } from "../tools/keep-tools.ts";
 import { toolsOnDevice } from "../tools/tool-store.ts";
@@ -120,7 +122,7 @@ function readable(job: Work): readonly WorkFile[] {
   if (isProgram(job)) return textsOf(job);
   try {
     const text = printedText(job);
-    return [{ name: `${programName(text)}.h`, text, encoding: "utf-8" }];
+    return [{ name: fileOfJob(job), text: job.layout === "iso" ? isoProgramText(parse(text)).text : text, encoding: "utf-8" }];
   } catch {
     return [];
   }

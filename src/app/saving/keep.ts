@@ -17,8 +17,8 @@ export interface Keeping {
   readonly works: readonly Kept[];
   readonly notices:
     readonly ("notKept" | "storageFull" | "newerWorks" | "copyOfOtherTab" | "engineFailed" | "linkDamaged" | "linkTooLarge" | "linkNewer"
-      | "fileTooLarge" | "fileUnreadable" | "mainUnsure" | "filesLeftOut" | "toolsDamaged" | "toolsNotKept" | "ownDamaged" | "ownNotKept"
-      | "workNotHere")[];
+      | "fileTooLarge" | "fileUnreadable" | "mainUnsure" | "isoRead" | "filesLeftOut" | "toolsDamaged" | "toolsNotKept" | "ownDamaged"
+      | "ownNotKept" | "workNotHere")[];
   /** Damaged saves that were set aside when the page opened. */
   readonly damaged: number;
   /** False until the device was read. */

@@ -1,6 +1,6 @@
 import { encode } from "../editor/encoding.ts";
 import { downloadBytes } from "../files/download.ts";
-import { printedText, programName } from "../printed.ts";
+import { fileOfJob, leavingText } from "../printed.ts";
 import { isProgram, textsOf, type Work } from "../work.ts";
 
 /** Hands works that the device does not keep to the downloads, each as a program file. */
@@ -10,7 +10,6 @@ export function downloadWorks(works: readonly Work[]): void {
       for (const { name, text, encoding } of textsOf(work)) downloadBytes(encode(text, encoding), name);
       continue;
     }
-    const text = printedText(work);
-    downloadBytes(encode(text, "utf-8"), `${programName(text)}.h`);
+    void leavingText(work).then((text) => downloadBytes(encode(text, "utf-8"), fileOfJob(work)));
   }
 }

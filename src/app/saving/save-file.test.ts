@@ -3,7 +3,9 @@ import fc from "fast-check";
 import { cuttingCycles } from "../../cycles/index.ts";
 import type { Measurement } from "../../kernel/measured.ts";
 import { at } from "../../kernel/point.ts";
-import { exampleJob } from "../../program/job.ts";
+import { ncLabels } from "../../i18n/nc-labels.ts";
+import { exampleJob, type SetJob } from "../../program/job.ts";
+import { printAsInManual, printJob } from "../../program/print-job.ts";
 import { readSave, SAVE_VERSION, upgrade, type SaveFile } from "./save-file.ts";
 
 const saved = (): SaveFile[] =>
@@ -92,6 +94,18 @@ test("an old save passes every step up to the present version", () => {
   expect(upgrade({ version: 1 }, steps, 3)).toEqual({ version: 3, seen: [1, 2] });
   expect(upgrade({ version: 2, seen: [] }, steps, 3)).toEqual({ version: 3, seen: [2] });
   expect(upgrade({ version: 4 }, steps, 3)).toEqual({ version: 4 });
+});
+
+test("a work that was kept before machines had settings shows the program that it showed", () => {
+  const files = import.meta.glob<unknown>("../../../tests/saved/v2/*.json", { eager: true, import: "default" });
+  const programs = import.meta.glob<string>("../../../tests/saved/v2/*.h", { eager: true, query: "?raw", import: "default" });
+  expect(Object.keys(files)).toHaveLength(3);
+  for (const [path, raw] of Object.entries(files)) {
+    const job = readSave(raw)?.job as SetJob;
+    const labels = ncLabels(job.ncLanguage);
+    const shown = job.layout === "manual" ? printAsInManual(job, labels) : printJob(job, labels);
+    expect(shown, path).toBe(programs[path.replace(/json$/, "h")]);
+  }
 });
 
 test("a real file of each version still opens", () => {

@@ -3,11 +3,12 @@ import type { MeasuredPlace, Measurement } from "../../kernel/measured.ts";
 import { at } from "../../kernel/point.ts";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import type { ContourRow, Job, TaskWork } from "../../program/job.ts";
+import { EARLIER_OUTPUT, isNcOutput, JOB_LAYOUTS, type NcOutput } from "../../program/nc-output.ts";
 import { toolRows } from "../tools/tool-rows.ts";
 import { LONGEST_REMARKS, MOST_MEASURED, type ProgramWork, type Work, type WorkFile } from "../work.ts";
 
 /** Counts up whenever the layout of a saved work changes; each step has its upgrade below. */
-export const SAVE_VERSION = 2;
+export const SAVE_VERSION = 3;
 
 /** One work as it is kept on the device. */
 export interface SaveFile {
@@ -70,6 +71,7 @@ const task = z.object({
   told: z.optional(z.array(text).check(z.maxLength(60))),
 });
 const ofTask = { task: z.optional(task) };
+const output = z.custom<NcOutput>(isNcOutput);
 const job = z.object({
   ...handedOn,
   ...ofTask,
@@ -84,7 +86,8 @@ const job = z.object({
   perRevolution: z.boolean(),
   rapid: text,
   contour: z.array(row),
-  layout: z.enum(["tnc640", "tnc7"]),
+  layout: z.enum(JOB_LAYOUTS),
+  output,
   ncLanguage: z.enum(["en", "de", "fr", "zh"]),
   remarks,
   material: z.optional(text),
@@ -98,6 +101,7 @@ const program = z.object({
   ...textFile,
   files: z.optional(z.array(workFile)),
   skipMarked: z.optional(z.boolean()),
+  output: z.optional(output),
   remarks,
   material: z.optional(text),
   measured,
@@ -120,6 +124,8 @@ export type Upgrades = Readonly<Record<number, (old: Readonly<Record<string, unk
 const upgrades: Upgrades = {
   // An empty field of the set-up became one that is proposed: a blank without a bore, or without anything in front of Z0, has 0 there.
   1: (old) => ({ ...old, version: 2, job: withBlankSet(old["job"]) }),
+  // The layout of the TNC 640 was that of the printed manual, and how a program ends could not be set: kept works go on reading the same.
+  2: (old) => ({ ...old, version: 3, job: withLayoutKept(old["job"]) }),
 };
 
 const asText = (value: unknown, otherwise: string) => (value === "" ? otherwise : value);
@@ -129,6 +135,11 @@ function withBlankSet(job: unknown): unknown {
   const { blank } = job;
   const [bore, allowance] = ["bore" in blank ? blank.bore : undefined, "allowance" in blank ? blank.allowance : undefined];
   return { ...job, blank: { ...blank, bore: asText(bore, "0"), allowance: asText(allowance, "0") } };
+}
+
+function withLayoutKept(job: unknown): unknown {
+  if (typeof job !== "object" || job === null || !("layout" in job)) return job;
+  return { ...job, layout: job.layout === "tnc640" ? "manual" : job.layout, output: EARLIER_OUTPUT };
 }
 
 /** A saved work of any version in today's layout; anything else comes back as it was. */
@@ -155,11 +166,8 @@ export function readSave(raw: unknown): SaveFile | null {
   }
 }
 
-/** A work, from plain data that anybody may have written; null when it is none. */
-export function plainWork(raw: unknown): Work | null {
-  const read = work.safeParse(raw);
-  return read.success ? (read.data as Work) : null;
-}
+/** A work, from plain data that anybody may have written, in the layout of a version; null when it is none. */
+export const plainWork = (raw: unknown, version = SAVE_VERSION): Work | null => readSave({ version, savedAt: 0, job: raw })?.job ?? null;
 
 /** A program with the files beside it, from plain data that anybody may have written; null when it is none. */
 export function readProgram(raw: unknown): ProgramWork | null {

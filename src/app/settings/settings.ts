@@ -1,5 +1,6 @@
 import { create } from "zustand";
 import { isLanguage, type Language } from "../../i18n/languages.ts";
+import { isNcOutput, NC_OUTPUTS, type NcOutput } from "../../program/nc-output.ts";
 import type { Control } from "../../program/plane-types.ts";
 import { fetchFirstTexts, fetchTexts, lacksTexts } from "./loaded-texts.ts";
 
@@ -15,6 +16,8 @@ export interface Settings {
   readonly presentation: boolean;
   /** How APPR and DEP move in the tool axis. */
   readonly control: Control;
+  /** How new programs are written for the machine. */
+  readonly output: NcOutput;
   /** The program text takes part of the screen, or is folded away. */
   readonly programFolded: boolean;
   /** X grows downwards in the lathe view (tool behind the spindle axis seen from the operator). */
@@ -83,6 +86,7 @@ function initial(): Settings {
     motion: "system",
     presentation: false,
     control: "TNC 640",
+    output: NC_OUTPUTS.manual,
     programFolded: false,
     xDown: false,
     section: "half",
@@ -121,6 +125,7 @@ export function readSettings(text: string | null): Settings {
     motion: oneOf(kept["motion"], ["system", "reduced"], first.motion),
     presentation: flag(kept["presentation"], first.presentation),
     control: oneOf(kept["control"], CONTROLS, first.control),
+    output: isNcOutput(kept["output"]) ? kept["output"] : first.output,
     programFolded: flag(kept["programFolded"], first.programFolded),
     xDown: flag(kept["xDown"], first.xDown),
     // Until the work could be seen from outside there was a switch.

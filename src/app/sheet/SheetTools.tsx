@@ -27,7 +27,7 @@ function Picture({ tool, mill, t }: { readonly tool: Tool | null; readonly mill:
   );
 }
 
-const COLUMNS = ["TO", "RS", "T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "ZL", "XL", "DZL", "DXL", "DRS", "R", "PITCH"] as const;
+const COLUMNS = ["TO", "RS", "T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "ZL", "XL", "DZL", "DXL", "DYL", "DRS", "R", "PITCH"] as const;
 const MILL_COLUMNS = ["R", "DR", "T-ANGLE", "LCUTS", "PITCH"] as const;
 /** Columns whose 0 is said: the others say something only where they are not. */
 const ALWAYS: readonly string[] = ["TO", "RS", "R"];

@@ -10,7 +10,8 @@ import { useSettings } from "../settings/settings.ts";
 export function beginCycle(number: number, withExample: boolean): void {
   const cycle = cycleByNumber(number);
   if (!cycle) return;
-  const example = { ...exampleJob(cycle), ncLanguage: useSettings.getState().language };
+  const { language: ncLanguage, output } = useSettings.getState();
+  const example = { ...exampleJob(cycle), ncLanguage, output };
   const job = withExample ? example : { ...example, ...UNSET, drafts: {}, contour: [] };
   startWork(job);
   const [question = null] = Object.keys(cycle.params);

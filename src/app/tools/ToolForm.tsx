@@ -18,7 +18,7 @@ import { useToolName } from "./tool-name.ts";
 
 type TurningColumn = Exclude<NumberColumn, MillColumn>;
 const INSERT: readonly TurningColumn[] = ["T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DCW"];
-const SETTING: readonly TurningColumn[] = ["ZL", "XL", "DZL", "DXL", "ORI"];
+const SETTING: readonly TurningColumn[] = ["ZL", "XL", "DZL", "DXL", "DYL", "ORI"];
 
 /** Enter goes on to the next field that can be filled, as ENT does on the control. */
 function onEnter(event: KeyboardEvent<HTMLElement>): void {

@@ -11,6 +11,7 @@ import { openText } from "../files/open-program.ts";
 import { openPrompt } from "../place.ts";
 import { printedText } from "../printed.ts";
 import { startWork } from "../saving/keep.ts";
+import { outputInUse } from "../program/output.ts";
 import { useEditor } from "../store.ts";
 
 /** Takes a way: behind the operations of what is open, or as a work of its own. */
@@ -20,7 +21,7 @@ export async function takeWay(
   { language, adds }: { readonly language: Language; readonly adds: boolean },
 ): Promise<void> {
   const { job: open, program } = useEditor.getState();
-  const made = { ...job, ncLanguage: language };
+  const made = { ...job, ncLanguage: language, output: outputInUse() };
   const labels = ncLabels(language);
   if (adds && program) {
     const [{ editProgram, sessionText }, { showFile }] = await Promise.all([

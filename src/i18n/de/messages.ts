@@ -84,7 +84,7 @@ export const messages = {
     },
     toolNumberTwice: (d) => `Werkzeug ${d.number} steht schon in der Tabelle.${nearest(d.nearest, String)}`,
     toolName: (d, w) =>
-      `„${w.text(d.text)}“: Ein Name hat höchstens ${d.max} Zeichen, nur Großbuchstaben, Ziffern und # $ % & , - . sind erlaubt.`,
+      `„${w.text(d.text)}“: Ein Name hat höchstens ${d.max} Zeichen, nur Großbuchstaben, Ziffern und # $ % & , - . _ sind erlaubt.`,
     holderAxis: (d, w) => `„${w.text(d.text)}“: Der Schaft liegt längs X oder längs Z.`,
     holderHead: (d, w) =>
       `„${w.text(d.text)}“ ist kein Umriss. Jede Ecke ist Z/X ab der Spitze, Ecken durch Leerzeichen getrennt, `
@@ -93,6 +93,10 @@ export const messages = {
     startInArea: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} liegt im Zerspanbereich: Das Werkzeug fährt zuerst auf Sicherheitsabstand.`,
     startInMaterial: (d, w) => `Der Startpunkt ${w.place(d.x, d.z)} steht im Material.`,
     startBelowContour: (d, w) => `Der Startpunkt liegt ${w.length(d.below)} unter dem Konturstart: Das Werkzeug fährt zuerst dorthin.`,
+    startBehindContour: (d, w) =>
+      `Der Startpunkt liegt ${w.length(d.behind)} hinter dem Konturstart: Das Werkzeug fährt zuerst in Z auf den Sicherheitsabstand von ${
+        w.size(d.clearance)
+      } davor.`,
     startInPart: (d, w) =>
       `Der Startpunkt liegt im Fertigteil: Von dort wird nichts zerspant. Ein Startpunkt, der geht: ${w.place(d.x, d.z)}.`,
     insertAcrossAxis: (d, w) =>
@@ -170,8 +174,9 @@ export const messages = {
       `Element ${d.element}: Ein Freistich braucht einen achsparallelen Zylinder und eine Planfläche dazu, ein Einstich ein `
       + "gerades Element seiner Richtung.",
     recessWord: (d) => `Element ${d.element}: ${d.word} fehlt oder ergibt keine mögliche Form.`,
+    recessWordsExclusive: (d) => `Element ${d.element}: ${d.other} und ${d.word} schließen sich aus. Nur eines davon eingeben.`,
     undercutDefaults: (d) =>
-      `Element ${d.element}: ${d.words} nach der Norm, aus der Erinnerung; sicherer ist es, die Werte selbst anzugeben.`,
+      `Element ${d.element}: ${d.words} nach der Norm, für diese Steuerung nicht gedruckt; sicherer ist es, die Werte selbst anzugeben.`,
     materialLeft: (d, w) => `Restmaterial bei ${w.place(d.x, d.z)}: ${w.area(d.area)}. Grund: ${reasons[d.reason]}.`,
     gouge: (d, w) => `Konturverletzung bei ${w.place(d.x, d.z)}: ${w.area(d.area)} des Fertigteils weggeschnitten.`,
     rapidInStock: (d, w) => `Eine Eilgangbewegung fährt bei ${w.place(d.x, d.z)} durch ${w.area(d.area)} Material.`,
@@ -196,8 +201,11 @@ export const messages = {
     wordMissing: (d, w) => `${w.text(d.word)} fehlt in diesem Satz.`,
     blockNumber: (d) => `Satznummer ${d.found} passt nicht in die Reihenfolge; ${d.expected} wäre an der Reihe.`,
     blockNumberMissing: (d) => `Der Satz hat keine Nummer; ${d.expected} wäre an der Reihe.`,
+    listWithoutTilde: (d) =>
+      `${d.places === 1 ? "In einer Zyklusliste fehlt" : `In ${d.places} Zykluslisten fehlt`} das ~ am Zeilenende: Eine Steuerung lädt `
+      + "das Programm so nicht.",
     continuationOpen: () => "Die Zeile endet mit ~, aber es folgt keine Fortsetzung.",
-    isoProgram: () => "Das Programm ist in DIN/ISO geschrieben. Gelesen wird nur Klartext.",
+    isoProgram: () => "Der Text ist DIN/ISO. Als eigenes Programm öffnen: Dabei wird er in Klartext übersetzt.",
     frameMissing: (d) => `Dem Programm fehlt ${d.which}.`,
 
     notSimulated: (d, w) => `${w.text(d.what)}: bleibt im Programm, wird nicht simuliert.`,
@@ -221,6 +229,10 @@ export const messages = {
       `${w.text(d.form)}: Die Angaben bestimmen dieses Element nicht oder widersprechen sich. Mehr Angaben machen oder FSELECT wählen.`,
     cycleNeverCalled: (d) => `Zyklus ${d.cycle} ist definiert und wird nie aufgerufen: Dahinter fehlt CYCL CALL oder M99.`,
     neverReached: (d) => `Das Programm endet mit ${d.by} vor diesem Satz: Er wird nie ausgeführt.`,
+    listOfOlderSoftware: (d, w) =>
+      `Die Liste von Zyklus ${d.cycle} stammt von einem älteren Softwarestand. Die Steuerung ergänzt: ${
+        d.filled.map((word) => w.text(word)).join(", ")
+      }.`,
     parameterForeign: (d, w) =>
       `${w.text(d.name)} gehört nicht hierher: Zyklus ${d.cycle} hat diesen Parameter nicht, oder er steht zweimal.`,
     runsIntoLabel: (d, w) => `Das Programm läuft in die Kontur von LBL ${w.text(d.label)} hinein: Davor fehlt M30.`,
@@ -279,6 +291,9 @@ export const messages = {
     startUnknown: () => "Die Position vor diesem Satz ist nicht bekannt.",
     arcImpossible: () => "Zu diesen Werten gibt es keinen Bogen.",
     radiusCompensation: (d) => `${d.side} wird gelesen, die Bahn aber nicht korrigiert.`,
+    compensationUndefined: (d) =>
+      `${d.side} mit Schneidenlage TO ${d.orientation}: Die Richtung der Korrektur ist nicht eindeutig. Ein Werkzeug verwenden, dessen `
+      + "Schneide in eine Ecke zeigt, oder die Bahn mit R0 programmieren.",
     sideChanged: () => "Zwischen RL und RR braucht die Steuerung einen Satz mit R0.",
     approachWithoutContour: (d) => `${d.form} braucht ein Konturelement neben sich.`,
     lengthDelta: (d) =>

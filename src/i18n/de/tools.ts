@@ -50,6 +50,7 @@ export const tools = {
     XL: "Werkzeuglänge 2, in X",
     DZL: "Aufmaß Länge 1",
     DXL: "Aufmaß Länge 2",
+    DYL: "Aufmaß Länge 3, in Y",
     RS: "Schneidenradius",
     DRS: "Aufmaß Schneidenradius",
     TO: "Werkzeugorientierung",
@@ -83,7 +84,8 @@ export const tools = {
   unused: (type) => `von ${type} nicht genutzt`,
   keptOnly: "Längen und Orientierung werden nur für die Steuerung mitgeführt; die Bahn ist die der theoretischen Schneidenspitze. "
     + "DZL und DXL sagen, wie weit das Werkzeug von den gemessenen Längen abweicht: Die Steuerung rechnet sie ein, Bahn und "
-    + "Werkstück bleiben gleich. FUNCTION TURNDATA CORR verschiebt den Schnitt.",
+    + "Werkstück bleiben gleich. FUNCTION TURNDATA CORR verschiebt den Schnitt. DYL liegt außerhalb der Drehebene: Mit einem "
+    + "Wert ungleich 0 ist die Bahn nicht geprüft.",
   anyType: "Wählen",
 
   orientation: "TO: wohin die Schneidenspitze zeigt",

@@ -79,7 +79,7 @@ export const messages = {
       return d.max === undefined ? what : `${what} It must be less than ${w.value(d.max)}.`;
     },
     toolNumberTwice: (d) => `Tool ${d.number} stands in the table already.${nearest(d.nearest, String)}`,
-    toolName: (d, w) => `“${w.text(d.text)}”: a name has at most ${d.max} characters: capital letters, digits and # $ % & , - . only.`,
+    toolName: (d, w) => `“${w.text(d.text)}”: a name has at most ${d.max} characters: capital letters, digits and # $ % & , - . _ only.`,
     holderAxis: (d, w) => `“${w.text(d.text)}”: the shank lies along X or along Z.`,
     holderHead: (d, w) =>
       `“${w.text(d.text)}” is no outline. Each corner is Z/X from the tip, blanks between corners, a semicolon `
@@ -88,6 +88,10 @@ export const messages = {
     startInArea: (d, w) => `The start point ${w.place(d.x, d.z)} lies in the area to be cut: the tool first moves to the set-up clearance.`,
     startInMaterial: (d, w) => `The start point ${w.place(d.x, d.z)} stands in the material.`,
     startBelowContour: (d, w) => `The start point lies ${w.length(d.below)} below the contour start: the tool first moves up to it.`,
+    startBehindContour: (d, w) =>
+      `The start point lies ${w.length(d.behind)} behind the contour start: the tool first moves in Z to the set-up clearance of ${
+        w.size(d.clearance)
+      } in front of it.`,
     startInPart: (d, w) =>
       `The start point lies inside the finished part: nothing is cut from there. A start point that works: ${w.place(d.x, d.z)}.`,
     insertAcrossAxis: (d, w) =>
@@ -159,7 +163,9 @@ export const messages = {
       `Element ${d.element}: an undercut needs a cylinder parallel to the axis and a face square to it; a recess needs a `
       + "straight element of its direction.",
     recessWord: (d) => `Element ${d.element}: ${d.word} is missing or makes no possible shape.`,
-    undercutDefaults: (d) => `Element ${d.element}: ${d.words} taken from the standard as recalled; write the words to be sure.`,
+    recessWordsExclusive: (d) => `Element ${d.element}: ${d.other} and ${d.word} exclude each other. Enter one of them.`,
+    undercutDefaults: (d) =>
+      `Element ${d.element}: ${d.words} taken from the standard, not printed for this control. Enter the words to be sure.`,
     materialLeft: (d, w) => `${w.area(d.area)} stay at ${w.place(d.x, d.z)}, left by ${reasons[d.reason]}.`,
     gouge: (d, w) => `${w.area(d.area)} of the finished part are cut away at ${w.place(d.x, d.z)}.`,
     rapidInStock: (d, w) => `A rapid runs through ${w.area(d.area)} of material at ${w.place(d.x, d.z)}.`,
@@ -184,8 +190,10 @@ export const messages = {
     wordMissing: (d, w) => `${w.text(d.word)} is missing in this block.`,
     blockNumber: (d) => `Block number ${d.found} does not follow; ${d.expected} would.`,
     blockNumberMissing: (d) => `The block has no number; ${d.expected} would follow.`,
+    listWithoutTilde: (d) =>
+      `${count(d.places, "cycle list has", "cycle lists have")} no ~ at the end of the line: a control would not load the program.`,
     continuationOpen: () => "The line ends in ~, but no continuation follows.",
-    isoProgram: () => "The program is written in DIN/ISO. Only Klartext is read.",
+    isoProgram: () => "The text is DIN/ISO. Open it as a program of its own: it is translated into Klartext then.",
     frameMissing: (d) => `The program has no ${d.which}.`,
 
     notSimulated: (d, w) => `${w.text(d.what)}: kept, not simulated.`,
@@ -206,6 +214,10 @@ export const messages = {
       `${w.text(d.form)}: what is given does not determine this element, or contradicts itself. Give more values, or FSELECT.`,
     cycleNeverCalled: (d) => `Cycle ${d.cycle} is defined and never called: CYCL CALL or M99 is missing behind it.`,
     neverReached: (d) => `The program ends at ${d.by}, before this block: it is never run.`,
+    listOfOlderSoftware: (d, w) =>
+      `The list of cycle ${d.cycle} was written by older software. The control fills in: ${
+        d.filled.map((word) => w.text(word)).join(", ")
+      }.`,
     parameterForeign: (d, w) => `${w.text(d.name)} does not belong here: cycle ${d.cycle} has no such parameter, or it stands twice.`,
     runsIntoLabel: (d, w) => `The program runs on into the contour of LBL ${w.text(d.label)}: M30 is missing before it.`,
     contourStartIncomplete: (d) => `The first block of the contour needs X and Z; ${d.axis} is missing.`,
@@ -257,6 +269,9 @@ export const messages = {
     startUnknown: () => "The position before this block is not known.",
     arcImpossible: () => "No arc fits these values.",
     radiusCompensation: (d) => `${d.side} is read, but the path is not compensated.`,
+    compensationUndefined: (d) =>
+      `${d.side} with tip orientation TO ${d.orientation}: the direction of the compensation is not defined. `
+      + "Take a tool whose tip points to a corner, or program the path with R0.",
     sideChanged: () => "Between RL and RR the control needs a block with R0.",
     approachWithoutContour: (d) => `${d.form} needs a contour element next to it.`,
     lengthDelta: (d) =>

@@ -49,6 +49,7 @@ export const tools = {
     XL: "tool length 2, in X",
     DZL: "oversize of length 1",
     DXL: "oversize of length 2",
+    DYL: "oversize of length 3, in Y",
     RS: "cutting edge radius",
     DRS: "oversize of the radius",
     TO: "tool orientation",
@@ -82,7 +83,7 @@ export const tools = {
   unused: (type: string) => `not used by ${type}`,
   keptOnly: "Lengths and orientation are kept for the control; the path is that of the theoretical tip. DZL and DXL are how far the "
     + "tool differs from its measured lengths: the control adds them, so neither path nor stock changes. FUNCTION TURNDATA CORR "
-    + "moves the cut.",
+    + "moves the cut. DYL lies off the turning plane: with a value other than 0 the path is not verified.",
   anyType: "Choose",
 
   orientation: "TO: where the tip points",

@@ -82,7 +82,8 @@ export const messages = {
       return d.max === undefined ? what : `${what} La valeur doit être inférieure à ${w.value(d.max)}.`;
     },
     toolNumberTwice: (d) => `L’outil ${d.number} est déjà dans le tableau.${nearest(d.nearest, String)}`,
-    toolName: (d, w) => `« ${w.text(d.text)} » : un nom a au plus ${d.max} caractères, en majuscules, chiffres et # $ % & , - . seulement.`,
+    toolName: (d, w) =>
+      `« ${w.text(d.text)} » : un nom a au plus ${d.max} caractères, en majuscules, chiffres et # $ % & , - . _ seulement.`,
     holderAxis: (d, w) => `« ${w.text(d.text)} » : le corps est placé suivant X ou suivant Z.`,
     holderHead: (d, w) =>
       `« ${w.text(d.text)} » n’est pas un contour. Chaque coin s’écrit Z/X depuis la pointe, avec un espace `
@@ -92,6 +93,10 @@ export const messages = {
       `Le point de départ ${w.place(d.x, d.z)} est dans la zone à usiner : l’outil va d’abord à la distance d’approche.`,
     startInMaterial: (d, w) => `Le point de départ ${w.place(d.x, d.z)} est dans la matière.`,
     startBelowContour: (d, w) => `Le point de départ est ${w.length(d.below)} sous le début du contour : l’outil s’y rend d’abord.`,
+    startBehindContour: (d, w) =>
+      `Le point de départ est ${w.length(d.behind)} derrière le début du contour : l’outil va d’abord en Z à la distance d’approche de ${
+        w.size(d.clearance)
+      } devant.`,
     startInPart: (d, w) =>
       `Le point de départ est dans la pièce finie : rien n’est usiné de là. Un point de départ possible : ${w.place(d.x, d.z)}.`,
     insertAcrossAxis: (d, w) =>
@@ -166,7 +171,9 @@ export const messages = {
       `Élément ${d.element} : un dégagement demande un cylindre parallèle à l’axe et une face perpendiculaire, une gorge un `
       + "élément droit de sa direction.",
     recessWord: (d) => `Élément ${d.element} : ${d.word} manque ou ne donne aucune forme possible.`,
-    undercutDefaults: (d) => `Élément ${d.element} : ${d.words} repris de la norme, de mémoire ; mieux vaut les écrire.`,
+    recessWordsExclusive: (d) => `Élément ${d.element} : ${d.other} et ${d.word} s’excluent. N’en indiquer qu’un.`,
+    undercutDefaults: (d) =>
+      `Élément ${d.element} : ${d.words} repris de la norme, non imprimé pour cette commande. Mieux vaut les programmer.`,
     materialLeft: (d, w) => `Il reste ${w.area(d.area)} en ${w.place(d.x, d.z)}. Cause : ${reasons[d.reason]}.`,
     gouge: (d, w) => `${w.area(d.area)} de la pièce finie sont enlevés en ${w.place(d.x, d.z)}.`,
     rapidInStock: (d, w) => `Un rapide traverse ${w.area(d.area)} de matière en ${w.place(d.x, d.z)}.`,
@@ -193,8 +200,11 @@ export const messages = {
     wordMissing: (d, w) => `${w.text(d.word)} manque dans cette séquence.`,
     blockNumber: (d) => `Le numéro de séquence ${d.found} ne suit pas ; ce serait ${d.expected}.`,
     blockNumberMissing: (d) => `La séquence n’a pas de numéro ; ce serait ${d.expected}.`,
+    listWithoutTilde: (d) =>
+      `${d.places === 1 ? "Il manque le ~ en fin de ligne dans une liste" : `Il manque le ~ en fin de ligne dans ${d.places} listes`} `
+      + "de cycle : une commande ne chargerait pas le programme.",
     continuationOpen: () => "La ligne finit par ~, mais aucune suite n’est là.",
-    isoProgram: () => "Le programme est écrit en DIN/ISO. Seul le Klartext est lu.",
+    isoProgram: () => "Le texte est en DIN/ISO. L’ouvrir comme programme à part : il est alors traduit en Klartext.",
     frameMissing: (d) => `Il manque ${d.which} au programme.`,
 
     notSimulated: (d, w) => `${w.text(d.what)} : conservé, non simulé.`,
@@ -220,6 +230,10 @@ export const messages = {
       `${w.text(d.form)} : les données ne déterminent pas cet élément ou se contredisent. Donner d’autres valeurs, ou FSELECT.`,
     cycleNeverCalled: (d) => `Le cycle ${d.cycle} est défini et jamais appelé : il manque CYCL CALL ou M99 ensuite.`,
     neverReached: (d) => `Le programme se termine avec ${d.by}, avant cette séquence : elle n’est jamais exécutée.`,
+    listOfOlderSoftware: (d, w) =>
+      `La liste du cycle ${d.cycle} vient d’un logiciel plus ancien. La commande la complète : ${
+        d.filled.map((word) => w.text(word)).join(", ")
+      }.`,
     parameterForeign: (d, w) =>
       `${w.text(d.name)} n’a pas sa place ici : le cycle ${d.cycle} n’a pas ce paramètre, ou il figure deux fois.`,
     runsIntoLabel: (d, w) => `Le programme continue dans le contour de LBL ${w.text(d.label)} : il manque M30 avant.`,
@@ -277,6 +291,9 @@ export const messages = {
     startUnknown: () => "La position avant cette séquence n’est pas connue.",
     arcImpossible: () => "Aucun arc ne convient à ces valeurs.",
     radiusCompensation: (d) => `${d.side} est lu, mais la trajectoire n’est pas corrigée.`,
+    compensationUndefined: (d) =>
+      `${d.side} avec l’orientation TO ${d.orientation} : le sens de la correction n’est pas défini. Utiliser un outil dont la pointe `
+      + "est orientée vers un angle, ou programmer la trajectoire avec R0.",
     sideChanged: () => "Entre RL et RR, la commande demande une séquence avec R0.",
     approachWithoutContour: (d) => `${d.form} demande un élément de contour voisin.`,
     lengthDelta: (d) =>

@@ -51,6 +51,7 @@ export const tools = {
     XL: "longueur d’outil 2, en X",
     DZL: "surépaisseur longueur 1",
     DXL: "surépaisseur longueur 2",
+    DYL: "surépaisseur longueur 3, en Y",
     RS: "rayon de plaquette",
     DRS: "surépaisseur du rayon",
     TO: "orientation de l’outil",
@@ -84,7 +85,8 @@ export const tools = {
   unused: (type) => `sans effet pour ${type}`,
   keptOnly: "Longueurs et orientation sont conservées pour la commande ; la trajectoire est celle de la pointe théorique. DZL et DXL "
     + "sont l’écart de l’outil à ses longueurs mesurées : la commande les ajoute, ni trajectoire ni brut ne changent. FUNCTION "
-    + "TURNDATA CORR déplace la coupe.",
+    + "TURNDATA CORR déplace la coupe. DYL est hors du plan de tournage : avec une valeur différente de 0, la trajectoire n’est pas "
+    + "vérifiée.",
   anyType: "Choisir",
 
   orientation: "TO : où regarde la pointe",

@@ -1,16 +1,16 @@
 import type { NcWords } from "../nc-words.ts";
 
-/** English NC text, as printed on a TNC7 page; what no page shows is tagged K. */
+/** English NC text, as printed on pages of the TNC7 (cycles 800, 815, 820); what no page shows is tagged K. */
 export const en = {
   cycles: {
     810: { text: "TURN CONTOUR LONG.", evidence: "K1" },
     811: { text: "SHOULDER, LONGITDNL.", evidence: "K1" },
-    800: { text: "ADJUST XZ SYSTEM", evidence: "K1" },
+    800: { text: "ADJUST XZ SYSTEM", evidence: "A" },
     801: { text: "RESET ROTARY COORDINATE SYSTEM", evidence: "K1" },
     812: { text: "SHOULDER, LONG. EXT.", evidence: "K1" },
     813: { text: "TURN PLUNGE CONTOUR LONGITUDINAL", evidence: "K1" },
     814: { text: "TURN PLUNGE LONGITUDINAL EXT.", evidence: "K1" },
-    815: { text: "CONTOUR-PAR. TURNING", evidence: "K1" },
+    815: { text: "CONTOUR-PAR. TURNING", evidence: "A" },
     820: { text: "TURN CONTOUR TRANSV.", evidence: "A" },
     821: { text: "SHOULDER, FACE", evidence: "K1" },
     822: { text: "SHOULDER, FACE. EXT.", evidence: "K1" },
@@ -77,7 +77,7 @@ export const en = {
     infeedParallel: { text: "MAX. CUTTING DEPTH", evidence: "K1" },
     precessionAngle: { text: "PRECESSION ANGLE", evidence: "K1" },
     reverseTool: { text: "REVERSE TOOL", evidence: "K1" },
-    inclinedMachining: { text: "INCLINED MACHINING", evidence: "K1" },
+    inclinedMachining: { text: "INCLINED MACHINING", evidence: "A" },
     incidenceAngle: { text: "ANGLE OF INCIDENCE", evidence: "K1" },
     tiltingFeed: { text: "FEED RATE", evidence: "K1" },
     preferredDirection: { text: "PREFERRED DIRECTION", evidence: "K1" },

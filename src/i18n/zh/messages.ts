@@ -66,13 +66,15 @@ export const messages = {
       return d.max === undefined ? what : `${what}必须小于${w.value(d.max)}。`;
     },
     toolNumberTwice: (d) => `刀具${d.number}已在刀具表中。${nearest(d.nearest, String)}`,
-    toolName: (d, w) => `“${w.text(d.text)}”：名称最多${d.max}个字符，仅限大写字母、数字和# $ % & , - .符号。`,
+    toolName: (d, w) => `“${w.text(d.text)}”：名称最多${d.max}个字符，仅限大写字母、数字和# $ % & , - . _符号。`,
     holderAxis: (d, w) => `“${w.text(d.text)}”：刀杆只能沿X或Z方向。`,
     holderHead: (d, w) => `“${w.text(d.text)}”不是轮廓。每个角点写作Z/X（从刀尖起），角点间用空格，各部分间用分号；每部分至少三个角点。`,
     betterTool: (d) => `刀具${d.tool} ${d.name}可以加工该轮廓。`,
     startInArea: (d, w) => `起点${w.place(d.x, d.z)}在加工区内：刀具先移至安全高度。`,
     startInMaterial: (d, w) => `起点${w.place(d.x, d.z)}在材料中。`,
     startBelowContour: (d, w) => `起点比轮廓起点低 ${w.length(d.below)}：刀具先移到轮廓起点的高度。`,
+    startBehindContour: (d, w) =>
+      `起点位于轮廓起点之后 ${w.length(d.behind)}：刀具先沿Z轴移到轮廓起点前安全高度 ${w.size(d.clearance)} 处。`,
     startInPart: (d, w) => `起点位于成品工件内：从那里不会切削。可用的起点：${w.place(d.x, d.z)}。`,
     insertAcrossAxis: (d, w) =>
       `刀片越过轴线 ${w.length(d.reach)}，会在另一侧切入成品工件。`
@@ -122,7 +124,8 @@ export const messages = {
       `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.length(d.depth)}；数控系统不检查此处。`,
     undercutNeighbours: (d) => `元素${d.element}：退刀槽需要相接的圆柱面和端面，凹槽需要与其方向一致的直线元素。`,
     recessWord: (d) => `元素${d.element}：${d.word}缺失，或无法构成形状。`,
-    undercutDefaults: (d) => `元素${d.element}：${d.words}按记忆取自标准，建议写明。`,
+    recessWordsExclusive: (d) => `元素${d.element}：${d.other}与${d.word}只能输入其中一个。`,
+    undercutDefaults: (d) => `元素${d.element}：${d.words}取自标准，本数控系统的手册未印出，建议写明。`,
     materialLeft: (d, w) => `${w.place(d.x, d.z)}处残留${w.area(d.area)}，原因：${reasons[d.reason]}。`,
     gouge: (d, w) => `${w.place(d.x, d.z)}处成品工件被切掉${w.area(d.area)}。`,
     rapidInStock: (d, w) => `快移在${w.place(d.x, d.z)}处穿过${w.area(d.area)}材料。`,
@@ -145,8 +148,9 @@ export const messages = {
     wordMissing: (d, w) => `该程序段缺少${w.text(d.word)}。`,
     blockNumber: (d) => `程序段号${d.found}不连续，应为${d.expected}。`,
     blockNumberMissing: (d) => `该程序段没有编号，应为${d.expected}。`,
+    listWithoutTilde: (d) => `${d.places}个循环参数列表的行末缺少~：数控系统无法加载该程序。`,
     continuationOpen: () => "该行以~结尾，但没有续行。",
-    isoProgram: () => "该程序采用 DIN/ISO 格式；只读取 Klartext 程序。",
+    isoProgram: () => "该文本为 DIN/ISO 格式。请作为单独的程序打开，届时会转换为 Klartext。",
     frameMissing: (d) => `程序缺少${d.which}。`,
 
     notSimulated: (d, w) => `${w.text(d.what)}：保留，不仿真。`,
@@ -165,6 +169,8 @@ export const messages = {
     freeUnsolved: (d, w) => `${w.text(d.form)}：所给数据不能确定该元素，或相互矛盾。请给出更多数据，或使用FSELECT。`,
     cycleNeverCalled: (d) => `循环${d.cycle}已定义但从未调用：其后缺少CYCL CALL或M99。`,
     neverReached: (d) => `程序在此程序段之前以${d.by}结束：该程序段从不执行。`,
+    listOfOlderSoftware: (d, w) =>
+      `循环${d.cycle}的参数列表由旧版软件写成，数控系统补充：${d.filled.map((word) => w.text(word)).join("，")}。`,
     parameterForeign: (d, w) => `${w.text(d.name)}不属于此处：循环${d.cycle}没有该参数，或该参数出现两次。`,
     runsIntoLabel: (d, w) => `程序继续运行进入了LBL ${w.text(d.label)}的轮廓：其前缺少M30。`,
     contourStartIncomplete: (d) => `轮廓的第一个程序段需要X和Z；缺少${d.axis}。`,
@@ -208,6 +214,8 @@ export const messages = {
     startUnknown: () => "该程序段之前的位置未知。",
     arcImpossible: () => "这些数值无法构成圆弧。",
     radiusCompensation: (d) => `已读取${d.side}，但不补偿路径。`,
+    compensationUndefined: (d) =>
+      `${d.side} 与刀尖方向 TO ${d.orientation}：补偿方向不明确。请使用刀尖指向角落方向的刀具，或以 R0 编程该路径。`,
     sideChanged: () => "RL 与 RR 之间需要一个 R0 程序段。",
     approachWithoutContour: (d) => `${d.form} 需要相邻的轮廓元素。`,
     lengthDelta: (d) => `刀具${d.tool}的DZL和DXL：数控系统已将其计入刀具长度。刀尖仍在路径上，路径和毛坯均不变。`,

@@ -42,6 +42,7 @@ export const tools = {
     XL: "刀具长度 2（X 向）",
     DZL: "长度 1 差值",
     DXL: "长度 2 差值",
+    DYL: "长度 3 差值（Y 向）",
     RS: "刀尖半径",
     DRS: "半径差值",
     TO: "刀尖方位",
@@ -74,7 +75,8 @@ export const tools = {
   units: { mm: "mm", degrees: "°" },
   unused: (type) => `${type} 不使用`,
   keptOnly:
-    "长度与定向角仅为数控系统保存；路径按理论刀尖计算。DZL 和 DXL 是刀具与测量长度的偏差：数控系统已计入，路径和毛坯均不变。FUNCTION TURNDATA CORR 才会移动切削位置。",
+    "长度与定向角仅为数控系统保存；路径按理论刀尖计算。DZL 和 DXL 是刀具与测量长度的偏差：数控系统已计入，路径和毛坯均不变。FUNCTION TURNDATA CORR 才会移动切削位置。"
+    + "DYL 不在车削平面内：非 0 时路径未经验证。",
   anyType: "选择",
 
   orientation: "TO：刀尖朝向",

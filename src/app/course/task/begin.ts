@@ -22,7 +22,8 @@ export function workOfTask(task: Task, fromOutside = false): Work {
     ...(task.material !== undefined && { material: task.material }),
     task: { id: task.id, ...(isVeiled(task) && { veiled: true }), ...(fromOutside && { file: task }) },
   };
-  if (start.kind === "job") return { ...start.job, ncLanguage: useSettings.getState().language, ...brought };
+  const { language: ncLanguage, output } = useSettings.getState();
+  if (start.kind === "job") return { ...start.job, ncLanguage, output, ...brought };
   return { name: start.name, text: start.text, encoding: "utf-8", ...brought };
 }
 

@@ -101,12 +101,14 @@ export const longitudinal = {
       + "entlang, jeder näher an ihr, statt längs der Achse.",
       "Schruppt, schlichtet oder macht beides. Die Richtung, in der die Kontur programmiert ist, ist die Bearbeitungsrichtung. Der "
       + "Startpunkt entscheidet zwischen außen und innen.",
+      "Liegt der Startpunkt hinter dem Konturanfang, fährt das Werkzeug zuerst in Z auf den Sicherheitsabstand davor, beim Schruppen wie "
+      + "beim Schlichten.",
     ],
     rough: [
-      "im Eilgang vor den Schnitt",
+      "im Eilgang zustellen vor den Schnitt",
       "entlang der Kontur schneiden mit Schruppvorschub",
-      "um den Sicherheitsabstand abheben",
-      "im Eilgang vor den nächsten Schnitt",
+      "in X zurück zur Startposition mit Schruppvorschub",
+      "im Eilgang zum Anfang des nächsten Schnitts",
       "wiederholen, bis das Aufmaß erreicht ist",
       "im Eilgang zum Zyklusstart",
     ],
@@ -121,6 +123,8 @@ export const longitudinal = {
       "Zyklus 14 muss vor dem Aufruf das Unterprogramm der Kontur nennen.",
       "Der erste Schnitt liegt eine Zustellung unter dem Aufmaß, wo auch immer der Startpunkt steht: Wo das Rohteil dicker ist, wird er "
       + "tiefer. Unsere Auslegung; an der Steuerung prüfen.",
+      "Die Handbuchseite unterscheidet außen und innen nach Konturanfang und Konturende. Hier entscheidet die Seite des Startpunkts: Nach "
+      + "der Handbuchseite wäre eine Welle, die zum Futter hin dicker wird, eine Innenbearbeitung. An der Steuerung prüfen.",
       "In einer Innenecke der Kontur nimmt ein Schnitt kurz mehr als seine Zustellung: bei einem rechten Winkel bis zu einem Sechstel.",
       edgeLength,
     ],

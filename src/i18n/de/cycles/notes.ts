@@ -3,7 +3,7 @@ export const safePosition =
   "Vor dem Aufruf das Werkzeug mit R0 auf eine sichere Position fahren: Dieser Punkt ist der Zyklusstart und bestimmt, wie "
   + "viel zerspant wird.";
 export const edgeLength =
-  "Eine CUTLENGTH in der Werkzeugtabelle begrenzt beim Schruppen die Zustellung; sie wird dann mit einer Meldung verringert.";
+  "Eine CUTLENGTH in der Werkzeugtabelle begrenzt beim Schruppen die Zustellung; sie wird dann mit einer Warnung verringert.";
 /** What holds for every cycle that takes its contour from a subprogram. */
 export const freeContour = [
   "Kollisionsgefahr: Die Schnittbegrenzung begrenzt die bearbeitete Kontur, An- und Abfahrwege dürfen sie überschreiten. Das "

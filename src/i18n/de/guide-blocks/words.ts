@@ -177,6 +177,18 @@ export const blockWords = {
   DEPTH: { about: "Wie tief es ins Material geht.", mistakes: ["Er ist als ⌀ getippt."] },
   BREADTH: { about: "Wie breit es entlang seines Elements ist.", mistakes: ["Er ist schmaler als die Platte."] },
   ANGLE: { about: "Wie steil die Flanke ansteigt.", mistakes: ["Er ist steiler, als die Schneide der Platte folgen kann."] },
+  "groove.DEPTH": {
+    about: "Tiefe des Einstichs; das Vorzeichen sagt, auf welcher Seite des Elements er liegt: negativ nach −X oder −Z.",
+    mistakes: ["Sie ist als ⌀ getippt."],
+  },
+  "groove.ANGLE": {
+    about: "Flankenwinkel: Winkel jeder Flanke gegen die Senkrechte zum Element, an Stelle von ANG_WIDTH.",
+    mistakes: ["Der Öffnungswinkel zwischen beiden Flanken ist getippt: Das ist ANG_WIDTH."],
+  },
+  ANG_WIDTH: {
+    about: "Öffnungswinkel zwischen beiden Flanken, an Stelle von ANGLE.",
+    mistakes: ["Der Winkel einer Flanke ist getippt: Der Einstich öffnet sich dann nur halb so weit."],
+  },
   FACEDEPTH: { about: "Wie tief der Freistich in die Planfläche geht.", mistakes: ["Es fehlt, und der Wert der Norm gilt."] },
   FACEANGLE: { about: "Wie steil er aus der Planfläche herauskommt.", mistakes: ["Er wird von der Achse aus gemessen."] },
   ROT: { about: "Um wie viel der Freistich gedreht ist.", mistakes: ["45° sind üblich; das Vorzeichen dreht ihn in die Wand."] },

@@ -28,7 +28,9 @@ export const special = {
     prompt: "Präzessionswinkel?",
     printed: false,
     label: "Präzessionswinkel",
-    explanation: "Winkel, um den das Werkzeug um seine Achse gedreht wird, damit die Schneide richtig steht.",
+    explanation:
+      "Dreht das Koordinatensystem um die Spindelachse Z. Stehen beide Spindeln parallel, ist jeder Winkel möglich, sonst sind nur "
+      + "zwei Winkel sinnvoll.",
   },
   reverseTool: {
     prompt: "Werkzeug umkehren (0=nein/1=ja)?",
@@ -38,14 +40,15 @@ export const special = {
     choices: { 0: "wie es steht", 1: "um 180° gedreht" },
   },
   inclinedMachining: {
-    prompt: "Angestellte Bearbeitung (0/1/2)?",
+    prompt: "Angestellte Bearbeitung (0/1/2/3)?",
     printed: false,
     label: "Angestellte Bearbeitung",
     explanation: "Wie die Schwenkachsen auf den Anstellwinkel fahren.",
     choices: {
-      0: "Schwenkachsen stehen lassen",
-      1: "Schwenkachsen positionieren, Werkzeugspitze nachführen",
-      2: "Schwenkachsen positionieren, ohne Nachführung",
+      0: "Schwenkachsen stehen bereits: Das Koordinatensystem folgt ihnen; die Steuerung verlangt M144 oder M128/TCPM",
+      1: "Schwenkachsen positionieren, mit Ausgleichsbewegung der Werkzeugspitze",
+      2: "Schwenkachsen positionieren, ohne Ausgleichsbewegung",
+      3: "Achswinkel nur berechnen (Q120, Q121, Q122), ohne Bewegung; danach die Schwenkachsen positionieren",
     },
   },
   incidenceAngle: {

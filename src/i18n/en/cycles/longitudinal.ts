@@ -103,12 +103,14 @@ export const longitudinal = {
       + "contour, each nearer to it, instead of along the axis.",
       "Roughs, finishes, or both. The direction in which the contour is programmed is the direction of machining. The start point decides "
       + "between outside and inside.",
+      "If the start point lies behind the contour start, the tool first moves in Z to the set-up clearance in front of it, in roughing and "
+      + "in finishing.",
     ],
     rough: [
-      "at rapid in front of the pass",
+      "infeed at rapid in front of the pass",
       "cut along the contour at the roughing feed",
-      "retract by the set-up clearance",
-      "back in front of the next pass at rapid",
+      "back to the start point in X at the roughing feed",
+      "to the beginning of the next pass at rapid",
       "repeat until the oversize is reached",
       "back to the cycle start at rapid",
     ],
@@ -123,6 +125,8 @@ export const longitudinal = {
       "Cycle 14 must name the contour subprogram before the call.",
       "The first pass lies one infeed below the allowance, wherever the start point stands: a blank that is thicker than its "
       + "allowance is cut deeper there. Our reading; verify on your control.",
+      "The manual page decides between outside and inside by contour start and contour end. Here the side of the start point decides: "
+      + "by the page, a shaft that gets thicker towards the chuck would be inside machining. Verify on your control.",
       "In an inside corner of the contour a pass takes more than its infeed for a moment: up to a sixth more at a right angle.",
       edgeLength,
     ],

@@ -1,7 +1,7 @@
 export const turnMode = "Runs only in FUNCTION MODE TURN. On a TNC7 the machine builder must have enabled the function.";
 export const safePosition =
   "Before the call, position the tool with R0 at a safe place: that point is the cycle start and decides how much is cut.";
-export const edgeLength = "A CUTLENGTH in the tool table limits the infeed in roughing; the infeed is then reduced, with a message.";
+export const edgeLength = "A CUTLENGTH in the tool table limits the infeed in roughing; the infeed is then reduced, with a warning.";
 /** What holds for every cycle that takes its contour from a subprogram. */
 export const freeContour = [
   "Danger of collision: the machining limit restricts the contour that is cut, but approach and departure may cross it. "

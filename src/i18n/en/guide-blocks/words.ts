@@ -150,6 +150,18 @@ export const blockWords = {
   DEPTH: { about: "How deep it goes into the material.", mistakes: ["It is typed as a ⌀."] },
   BREADTH: { about: "How wide it is along its element.", mistakes: ["It is narrower than the insert."] },
   ANGLE: { about: "How steeply the flank rises.", mistakes: ["It is steeper than the edge of the insert can follow."] },
+  "groove.DEPTH": {
+    about: "Depth of the recess; the sign says on which side of the element it lies: negative towards −X or −Z.",
+    mistakes: ["It is typed as a ⌀."],
+  },
+  "groove.ANGLE": {
+    about: "Angle of each flank against the perpendicular to the element, in place of ANG_WIDTH.",
+    mistakes: ["The opening angle between both flanks is typed: that is ANG_WIDTH."],
+  },
+  ANG_WIDTH: {
+    about: "Opening angle between both flanks, in place of ANGLE.",
+    mistakes: ["The angle of one flank is typed: the recess is then half as open."],
+  },
   FACEDEPTH: { about: "How deep the undercut goes into the face.", mistakes: ["It is left out and the standard value counts."] },
   FACEANGLE: { about: "How steeply it comes out of the face.", mistakes: ["It is measured from the axis."] },
   ROT: { about: "By how much the undercut is turned.", mistakes: ["45° are usual; the sign turns it into the wall."] },

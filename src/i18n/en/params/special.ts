@@ -28,7 +28,9 @@ export const special = {
     prompt: "Precession angle?",
     printed: false,
     label: "Precession angle",
-    explanation: "Angle about the tool axis to which the tool is turned, so that its edge points the right way.",
+    explanation:
+      "Turns the coordinate system about the spindle axis Z. Where both spindles are parallel any angle is possible, otherwise only "
+      + "two angles make sense.",
   },
   reverseTool: {
     prompt: "Reverse tool (0=no/1=yes)?",
@@ -38,11 +40,16 @@ export const special = {
     choices: { 0: "as it stands", 1: "turned by 180°" },
   },
   inclinedMachining: {
-    prompt: "Inclined machining (0/1/2)?",
+    prompt: "Inclined machining (0/1/2/3)?",
     printed: false,
     label: "Inclined machining",
     explanation: "How the tilting axes go to the angle of incidence.",
-    choices: { 0: "keep the axes where they are", 1: "move them, the tip follows", 2: "turn them, the tip does not follow" },
+    choices: {
+      0: "axes already positioned: the coordinate system follows them; the control asks for M144 or M128/TCPM",
+      1: "position the axes, with compensating movement of the tip",
+      2: "position the axes, without compensating movement",
+      3: "only calculate the axis angles (Q120, Q121, Q122), without movement; position the axes afterwards",
+    },
   },
   incidenceAngle: {
     prompt: "Angle of incidence?",

@@ -103,12 +103,14 @@ export const longitudinal = {
       + "suivent le contour, chacune plus près, au lieu de suivre l’axe.",
       "Ébauche, finition, ou les deux. Le sens dans lequel le contour est programmé est le sens d’usinage. Le point de départ décide entre "
       + "extérieur et intérieur.",
+      "Si le point de départ se trouve derrière le début du contour, l’outil va d’abord en Z à la distance d’approche devant celui-ci, en "
+      + "ébauche comme en finition.",
     ],
     rough: [
-      "en rapide devant la passe",
+      "prise de passe en rapide devant la passe",
       "passe le long du contour à l’avance d’ébauche",
-      "retrait de la distance d’approche",
-      "en rapide devant la passe suivante",
+      "retour en X à la position de départ à l’avance d’ébauche",
+      "en rapide au début de la passe suivante",
       "répéter jusqu’à la surépaisseur",
       "retour au départ du cycle en rapide",
     ],
@@ -123,6 +125,8 @@ export const longitudinal = {
       "Le cycle 14 doit nommer le sous-programme du contour avant l’appel.",
       "La première passe se trouve une valeur de passe sous la surépaisseur du brut, où que soit le point de départ : là où le brut est "
       + "plus épais, elle est plus profonde. Notre lecture ; à vérifier sur la commande.",
+      "La page du manuel distingue extérieur et intérieur par le début et la fin du contour. Ici, c’est le côté du point de départ qui "
+      + "décide : selon la page, un arbre qui s’épaissit vers le mandrin serait un usinage intérieur. À vérifier sur la commande.",
       "Dans un angle rentrant du contour, une passe prend un instant plus que sa valeur : jusqu’à un sixième pour un angle droit.",
       edgeLength,
     ],

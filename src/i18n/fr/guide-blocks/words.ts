@@ -170,6 +170,18 @@ export const blockWords = typeset({
   DEPTH: { about: "De combien il entre dans la matière.", mistakes: ["Elle est saisie comme ⌀."] },
   BREADTH: { about: "Sa largeur le long de son élément.", mistakes: ["Elle est plus étroite que la plaquette."] },
   ANGLE: { about: "La pente du flanc.", mistakes: ["Il est plus raide que l’arête de la plaquette ne peut suivre."] },
+  "groove.DEPTH": {
+    about: "Profondeur de la gorge ; le signe indique de quel côté de l’élément elle se trouve : négatif vers −X ou −Z.",
+    mistakes: ["Elle est saisie comme ⌀."],
+  },
+  "groove.ANGLE": {
+    about: "Angle de chaque flanc par rapport à la perpendiculaire à l’élément, à la place de ANG_WIDTH.",
+    mistakes: ["L’angle d’ouverture entre les deux flancs est saisi : c’est ANG_WIDTH."],
+  },
+  ANG_WIDTH: {
+    about: "Angle d’ouverture entre les deux flancs, à la place de ANGLE.",
+    mistakes: ["L’angle d’un seul flanc est saisi : la gorge s’ouvre alors deux fois moins."],
+  },
   FACEDEPTH: { about: "De combien le dégagement entre dans la face.", mistakes: ["Elle manque et la valeur de la norme vaut."] },
   FACEANGLE: { about: "Sa pente à la sortie de la face.", mistakes: ["Il est mesuré depuis l’axe."] },
   ROT: { about: "De combien le dégagement est tourné.", mistakes: ["45° est usuel ; le signe le tourne dans la paroi."] },

@@ -28,7 +28,9 @@ export const special = {
     prompt: "Angle de précession?",
     printed: false,
     label: "Angle de précession",
-    explanation: "Angle dont l’outil est tourné autour de son axe, pour que l’arête soit bien orientée.",
+    explanation:
+      "Tourne le système de coordonnées autour de l’axe de broche Z. Si les deux broches sont parallèles, tout angle est possible ; "
+      + "sinon, deux angles seulement conviennent.",
   },
   reverseTool: {
     prompt: "Inverser outil (0=non/1=oui)?",
@@ -38,11 +40,16 @@ export const special = {
     choices: { 0: "tel quel", 1: "tourné de 180°" },
   },
   inclinedMachining: {
-    prompt: "Usinage incliné (0/1/2)?",
+    prompt: "Usinage incliné (0/1/2/3)?",
     printed: false,
     label: "Usinage incliné",
     explanation: "Comment les axes inclinés vont à l’angle d’inclinaison.",
-    choices: { 0: "laisser les axes", 1: "déplacer les axes, la pointe suit", 2: "tourner les axes, la pointe ne suit pas" },
+    choices: {
+      0: "axes déjà positionnés : le système de coordonnées les suit ; la commande demande M144 ou M128/TCPM",
+      1: "positionner les axes, avec mouvement de compensation de la pointe",
+      2: "positionner les axes, sans mouvement de compensation",
+      3: "calculer seulement les angles des axes (Q120, Q121, Q122), sans mouvement ; positionner les axes ensuite",
+    },
   },
   incidenceAngle: {
     prompt: "Angle d'inclinaison?",

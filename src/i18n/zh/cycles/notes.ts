@@ -1,6 +1,6 @@
 export const turnMode = "只能在车削模式（FUNCTION MODE TURN）下执行。在TNC7上，该功能须由机床制造商启用。";
 export const safePosition = "调用前，用R0将刀具移至安全位置：该点为循环起点，决定被加工的部位。";
-export const edgeLength = "刀具表中的CUTLENGTH值限制粗加工的进刀量；这时减小进刀量并显示提示信息。";
+export const edgeLength = "刀具表中的CUTLENGTH值限制粗加工的进刀量；这时减小进刀量并显示警告。";
 /** What holds for every cycle that takes its contour from a subprogram. */
 export const freeContour = [
   "碰撞危险：切削限位限制被加工的轮廓，但接近和离开路径可跨越限位。调用前，将刀具定位在需要切除材料的一侧。",

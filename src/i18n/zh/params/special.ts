@@ -24,7 +24,7 @@ export const special = {
     prompt: "进动角?",
     printed: false,
     label: "进动角",
-    explanation: "刀具绕自身轴旋转的角度，使切削刃朝向正确。",
+    explanation: "使坐标系绕主轴轴线Z旋转。两个主轴平行时可输入任意角度，否则只有两个角度有意义。",
   },
   reverseTool: {
     prompt: "翻转刀具(0=否/1=是)?",
@@ -34,11 +34,16 @@ export const special = {
     choices: { 0: "保持不变", 1: "旋转180°" },
   },
   inclinedMachining: {
-    prompt: "倾斜加工(0/1/2)?",
+    prompt: "倾斜加工(0/1/2/3)?",
     printed: false,
     label: "倾斜加工",
     explanation: "倾斜轴如何到达倾斜角。",
-    choices: { 0: "轴保持不动", 1: "移动轴，刀尖跟随", 2: "转动轴，刀尖不跟随" },
+    choices: {
+      0: "轴已定位：坐标系随之调整；数控系统要求M144或M128/TCPM",
+      1: "定位轴，刀尖作补偿运动",
+      2: "定位轴，不作补偿运动",
+      3: "只计算轴角度（Q120、Q121、Q122），不运动；随后自行定位轴",
+    },
   },
   incidenceAngle: {
     prompt: "倾斜角?",

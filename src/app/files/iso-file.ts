@@ -1,0 +1,27 @@
+import { untilHere } from "../parts.ts";
+import { notice } from "../saving/keep.ts";
+import { useSettings } from "../settings/settings.ts";
+import type { WorkFile } from "../work.ts";
+
+/** Whether a text may be DIN/ISO: its reader, which knows, is fetched only then. */
+export const mayBeIso = (text: string): boolean => !/BEGIN PGM/i.test(text) && /^[ \t\ufeff]*(?:%|\/?N?\d*[ \t]*G[ \t]*\d)/im.test(text);
+
+/** A text file as the page works on it: one in DIN/ISO becomes Klartext under the same name, and that is said. */
+export async function asKlartext(file: WorkFile): Promise<WorkFile> {
+  if (!mayBeIso(file.text)) return file;
+  const [{ isIsoText }, { klartextOfIso }, { isoNames }, { ncLabels }, { LAYOUTS }] = await untilHere(() =>
+    Promise.all([
+      import("../../nc/iso/lines.ts"),
+      import("../../nc/iso/read-iso.ts"),
+      import("../../program/iso-names.ts"),
+      import("../../i18n/nc-labels.ts"),
+      import("../../nc/style.ts"),
+    ])
+  );
+  if (!isIsoText(file.text)) return file;
+  const { control, language } = useSettings.getState();
+  const style = { ...LAYOUTS[control === "TNC7" ? "tnc7" : "tnc640"], newLine: file.text.includes("\r\n") ? "\r\n" : "\n" } as const;
+  const { text } = klartextOfIso(file.text, style, isoNames(ncLabels(language)));
+  notice("isoRead");
+  return { ...file, name: `${file.name.replace(/\.(?:i|h)$/i, "")}.h`, text };
+}

@@ -1,0 +1,30 @@
+import type { OutputTexts } from "../en/output.ts";
+
+export const output = {
+  title: "NC 输出",
+  lead: "程序按您的机床书写。这些设置随程序保存和共享。",
+  leadProgram: "插入的加工按此书写，已有的文本保持不变。",
+  preset: "预设",
+  presets: {
+    manual: "同手册示例：M303、M305",
+    mainSpindle: "主轴带动工件：M3、M5",
+    transfer: "旧式文件传输：M3、M5，CR LF，无程序段号，大写",
+    own: "机床厂自定义",
+  },
+  spindleOn: "主轴启动",
+  spindleOff: "结束时主轴停止",
+  spindleOffHint: "留空：由 M30 或 M2 停止主轴。",
+  functionWrong: "0 至 999 的数字",
+  retract: "结束时退刀",
+  retracts: { position: "毛坯上方的安全位置", limit: "沿刀具轴至行程极限（M140 MB MAX）" },
+  end: "程序结束",
+  ends: { 30: "M30", 2: "M2" },
+  numbered: "程序段号",
+  newLine: "行结束符",
+  newLines: { "\n": "LF", "\r\n": "CR LF" },
+  name: "程序名",
+  names: { typed: "按输入", capitals: "大写" },
+  makeDefault: "用于新程序",
+  isDefault: "新程序按此书写。",
+  unverified: "驱动主轴的 M 功能取决于机床，请见机床手册。",
+} satisfies OutputTexts;
