@@ -1,5 +1,6 @@
 import { existsSync, readFileSync } from "node:fs";
 import { advice } from "../src/i18n/en/advice.ts";
+import { output } from "../src/i18n/en/output.ts";
 import { ambiguous, controls, kinds } from "./pages/controls.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
@@ -82,6 +83,10 @@ test("every control of every screen has the name it is known by, and no other ha
   await handing.handOn();
   await handing.link();
   await look("hand on", handing.out);
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: t.page.text.output, exact: true }).click();
+  await page.getByRole("dialog", { name: output.title, exact: true }).waitFor();
+  await look("NC output", page.getByRole("dialog"));
   await page.keyboard.press("Escape");
   await sheet.open();
   await expect(sheet.preview).toContainText("FLANGE");

@@ -186,7 +186,7 @@ test("a shop's table comes back to the byte but for the tool that changed, and a
     }\r\n84      SCHL`);
   expect(changed.bytes.toString("latin1")).toBe(expected);
   const sheet = await tools.export("csv");
-  expect(sheet.text.split("\r\n").find((line) => line.startsWith("84,"))).toMatch(/^84,SCHLICHTER,118\.25,-40,,,0\.2,/);
+  expect(sheet.text.split("\r\n").find((line) => line.startsWith("84,"))).toMatch(/^84,SCHLICHTER,118\.25,-40,,,,0\.2,/);
 });
 
 test("codes typed by keyboard make a tool with its holder, and a proved program runs with it", async ({ page }) => {
