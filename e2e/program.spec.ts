@@ -43,7 +43,7 @@ test("the look of the manual is a view: what leaves is the file, and the file is
 
 test("DIN/ISO: shown, copied and downloaded the same; what it opens as runs the same", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
-  const { editor, program, t } = turnwise;
+  const { editor, program, sheet, t } = turnwise;
   await turnwise.start.beginWithExample(812);
   await program.chooseLayout("iso");
   await expect.poll(async () => (await program.shown()).join("\n")).toContain("G812 Q215=+0");
@@ -54,6 +54,12 @@ test("DIN/ISO: shown, copied and downloaded the same; what it opens as runs the 
   const text = await readFile(await download.path(), "utf8");
   expect(text).toMatch(/^%SHOULDER812 G71 \*\n/);
   await expect.poll(() => program.shown()).toEqual(text.trimEnd().split("\n"));
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  await expect(page.locator(".printed-program")).toHaveText(text);
+  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+  await sheet.open();
+  await expect(sheet.preview).toContainText("G812 Q215=+0");
+  await sheet.close();
   await page.getByRole("link", { name: t.page.home }).click();
   await editor.paste(text);
   await expect(page.getByText(t.page.notice.isoRead)).toBeVisible();

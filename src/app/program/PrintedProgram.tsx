@@ -2,6 +2,7 @@ import { useEffect, useState } from "react";
 import { flushSync } from "react-dom";
 import { printedText } from "../printed.ts";
 import { handOver, useEditor } from "../store.ts";
+import { useIsoFile } from "./output.ts";
 
 /** Widest picture on paper, px of CSS: what A4 and Letter have between their margins. */
 const PAPER = 690;
@@ -17,19 +18,21 @@ function fixPictures(): void {
   }
 }
 
-function present(): string {
+function present(iso: string | null): string {
   handOver();
   const { job, program } = useEditor.getState();
-  return job ? printedText(job) : program?.text ?? "";
+  if (job) return iso ?? printedText(job);
+  return program?.text ?? "";
 }
 
 /** The whole program for a print of the workplace, whose text scrolls, folds away, or stands in another section. */
 export function PrintedProgram() {
   const [text, take] = useState<string | null>(null);
+  const iso = useIsoFile(useEditor((s) => s.job))?.text ?? null;
   useEffect(() => {
     const begin = () => {
       fixPictures();
-      flushSync(() => take(present()));
+      flushSync(() => take(present(iso)));
     };
     const end = () => take(null);
     addEventListener("beforeprint", begin);
@@ -38,6 +41,6 @@ export function PrintedProgram() {
       removeEventListener("beforeprint", begin);
       removeEventListener("afterprint", end);
     };
-  }, []);
+  }, [iso]);
   return text === null ? null : <pre className="printed-program number">{text}</pre>;
 }

@@ -1,6 +1,6 @@
 import { useEffect, useMemo, useState } from "react";
-import type { Job, HandedOn } from "../../program/job.ts";
-import { type NcOutput } from "../../program/nc-output.ts";
+import type { Job } from "../../program/job.ts";
+import type { NcOutput } from "../../program/nc-output.ts";
 import { isoFile, manualText, printedText, type IsoFile } from "../printed.ts";
 import { useSettings } from "../settings/settings.ts";
 import { changeProgram, edit, handedOn, useEditor } from "../store.ts";
@@ -14,26 +14,31 @@ const kindOf = (layout: Job["layout"]): FileKind => (layout === "manual" ? "tnc6
 /** What kind of file the open work leaves as: as a job is set, and a program by the control it runs on. */
 export function useFileKind(): FileKind {
   const layout = useEditor((s) => s.job?.layout ?? null);
-  const own = useEditor((s) => (handedOn(s) as HandedOn).control);
+  const own = useEditor((s) => handedOn(s).control);
   const device = useSettings((s) => s.control);
   if (layout !== null) return kindOf(layout);
   return (own ?? device) === "TNC7" ? "tnc7" : "tnc640";
 }
 
-/** What is shown of a job: its file, or the look of the manual. `iso` says more of a DIN/ISO file, once its printer is here. */
-export function useShownText(job: Job): { readonly text: string; readonly iso: IsoFile | null } {
-  const text = printedText(job);
-  const isIso = job.layout === "iso";
+/** The DIN/ISO file of a job that leaves as one, once its printer is here; null otherwise. */
+export function useIsoFile(job: Job | null): IsoFile | null {
+  const text = job?.layout === "iso" ? printedText(job) : null;
   const [iso, setIso] = useState<IsoFile | null>(null);
   useEffect(() => {
     let gone = false;
-    if (isIso) void isoFile(text).then((made) => !gone && setIso(made));
+    if (text !== null) void isoFile(text).then((made) => !gone && setIso(made));
     return () => {
       gone = true;
     };
-  }, [isIso, text]);
+  }, [text]);
+  return text === null ? null : iso;
+}
+
+/** What is shown of a job: its file, or the look of the manual. */
+export function useShownText(job: Job): { readonly text: string; readonly iso: IsoFile | null } {
+  const iso = useIsoFile(job);
   const manual = useMemo(() => (job.layout === "manual" ? manualText(job) : null), [job]);
-  return { text: manual ?? (isIso && iso ? iso.text : text), iso: isIso ? iso : null };
+  return { text: manual ?? iso?.text ?? printedText(job), iso };
 }
 
 /** How the open work is written; as this device writes where it says nothing. */

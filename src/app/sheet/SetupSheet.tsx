@@ -145,7 +145,7 @@ export function SetupSheet({ source, t, date }: { readonly source: SheetSource; 
         <p>{t.signature}</p>
         <p>{t.released}</p>
       </div>
-      {sheetProgram && <SheetProgram program={program} name={`${t.program} ${name}`} />}
+      {sheetProgram && <SheetProgram program={program} iso={source.iso} name={`${t.program} ${name}`} />}
     </article>
   );
 }

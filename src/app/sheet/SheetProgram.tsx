@@ -3,15 +3,20 @@ import { blockNumbers, type Program } from "../../nc/program.ts";
 /** Longer programs are one text: nobody looks for the place where a block breaks in them. */
 const MOST_BLOCKS = 4000;
 
-/** The program with its block numbers, also where the file has none. */
-export function SheetProgram({ program, name }: { readonly program: Program; readonly name: string }) {
+/** The blocks of a program with their numbers, also where the file has none. */
+function blocksOf(program: Program): readonly string[] {
   const numbers = blockNumbers(program);
-  const shown = program.blocks.flatMap(({ raw, number, statement }, i) => {
+  return program.blocks.flatMap(({ raw, number, statement }, i) => {
     const text = raw.replace(/[\r\n]+$/, "");
     if (text.trim() === "") return [];
     const silent = statement.kind === "empty" || (statement.kind === "comment" && number === null);
     return [number === null && !silent ? `${numbers[i] ?? ""} ${text}` : text];
   });
+}
+
+/** The program as it leaves: in Klartext block by block, or its DIN/ISO file. */
+export function SheetProgram({ program, iso, name }: { readonly program: Program; readonly iso: string | null; readonly name: string }) {
+  const shown = iso === null ? blocksOf(program) : iso.trimEnd().split(/\r?\n/);
   return (
     <section className="sheet-program">
       <h2>{name}</h2>

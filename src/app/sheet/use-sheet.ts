@@ -5,7 +5,8 @@ import type { Program } from "../../nc/program.ts";
 import type { Control } from "../../program/plane-types.ts";
 import { setupData, type SetupData } from "../../report/sheet/setup-data.ts";
 import { isMadeFrom, useOutcome, type Outcome } from "../engine/outcome.ts";
-import { printedText, programName } from "../printed.ts";
+import { fileOfJob, printedText } from "../printed.ts";
+import { useIsoFile } from "../program/output.ts";
 import { laterTexts } from "../settings/later-texts.ts";
 import { useSettings } from "../settings/settings.ts";
 import { handedOn, useEditor } from "../store.ts";
@@ -24,6 +25,8 @@ export interface SheetSource {
   readonly control: Control;
   /** Name of the program's file. */
   readonly file: string;
+  /** The text of the file where it is DIN/ISO; null where it is Klartext, as in `program`. */
+  readonly iso: string | null;
   readonly remarks: string;
 }
 
@@ -34,6 +37,7 @@ export function useSheetSource(): SheetSource | null {
   const newest = useOutcome((s) => s.newest);
   const shop = useTools((s) => s.list);
   const own = useEditor(handedOn);
+  const iso = useIsoFile(job);
   const settings = useSettings((s) => s.control);
   const { table } = toolsOnDevice(own.tools ?? shop);
   const text = job ? printedText(job) : work?.text ?? null;
@@ -51,7 +55,8 @@ export function useSheetSource(): SheetSource | null {
     data,
     outcome,
     control: own.control ?? settings,
-    file: work?.name ?? `${programName(text)}.h`,
+    file: job ? fileOfJob(job) : work?.name ?? "",
+    iso: iso?.text ?? null,
     remarks: (job ?? work)?.remarks ?? "",
   };
 }
