@@ -35,7 +35,7 @@ function rankOf(cycle: MenuCycle, { word, words }: Sought, languages: readonly M
   return within(of.flatMap(({ summary, nc }) => [summary, nc])) ? 3 : null;
 }
 
-/** Words as they are compared; G820, which DIN/ISO calls a cycle by, is its number. */
+/** Words as they are compared; the G number by which DIN/ISO calls a cycle is its number. */
 const wordsOf = (typed: string): readonly string[] =>
   plain(typed).split(/[\s,;]+/).filter((word) => word !== "").map((word) => word.replace(/^g(?=\d)/, ""));
 
