@@ -86,6 +86,11 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   contactsUnlooked: { limit: 750 },
   rapidInStock: { area: 1.25, x: 60.5, z: -5.5 },
   holderContact: { x: 60.5, z: -5.5 },
+  cutBelowContour: { block: 9, area: 1.25, x: 60.5, z: -5.5 },
+  cameLoose: { shape: "ring", area: 1.25, block: 9, x: 60.5, z: -5.5 },
+  partedOff: { area: 125.5, block: 9, x: 60.5, z: -5.5 },
+  cutOnLoosePiece: { area: 1.25, block: 9, x: 60.5, z: -5.5 },
+  behindBlank: { motion: "rapid", x: 60.5, z: -105.5, rear: -100 },
   deeperThanInfeed: { depth: 11.8, allowed: 2.5, pass: 3 },
   nothingCut: {},
   blankLacks: { what: "FUNCTION TURNDATA BLANK LBL 20", area: 12.5 },
@@ -186,7 +191,7 @@ describe.each(LANGUAGES)("messages in %s", (language) => {
     expect(sentence).toMatch(/\S.*[.。?？]$/);
     expect(sentence).not.toMatch(/undefined|NaN|\[object|null/);
     const own = Object.entries(SAMPLES[code]).filter(([key, value]) =>
-      !["reason", "edge", "quantity", "place"].includes(key) && typeof value !== "boolean"
+      !["reason", "edge", "quantity", "place", "shape", "motion"].includes(key) && typeof value !== "boolean"
     );
     const shown = own.map(([, value]) => (typeof value === "number" ? formatNumber(language, value, 4) : String(value)));
     for (const data of shown.filter((text) => !text.includes(","))) expect(sentence).toContain(data);

@@ -1,3 +1,4 @@
+import { madeOf } from "../src/sim/finished.ts";
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { printWords } from "../src/app/course/drawing/print-words.ts";
@@ -18,7 +19,7 @@ const SHEET = { width: 275, height: 158 }, words = printWords(english, "en");
 /** The part that comes of a program, as its drawing has it. */
 function drawn(text: string, known: Parameters<typeof drawnProgram>[2] = null): DrawnTask | null {
   const answer = answerOf(text), wanted = finishedBody(answer.simulation, answer.run.operations);
-  return drawnProgram(answer, isBody(wanted) ? wanted : answer.simulation.final, known);
+  return drawnProgram(answer, isBody(wanted) ? wanted : madeOf(answer.simulation), known);
 }
 const example = (name: string) => readFileSync(new URL(`../src/examples/${name}.h`, import.meta.url), "utf8");
 const printOf = (part: DrawnTask | null) => part && drawingOnSheet(part, words, SHEET);

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import { verified } from "../scripts/verify.ts";
+import { STOCK_FAULTS } from "../src/sim/simulation.ts";
 import { shippedTools } from "../src/program/shipped-tools.ts";
 
 /*
@@ -43,7 +44,7 @@ test("the verdict that the report gives is that of its reasons", () => {
   for (const [path, text] of programs) {
     const { proof } = verified(path, text, { tools: shippedTools, refused: new Map() });
     const kinds = new Set(proof.reasons.map((r) => r.kind));
-    const isFault = (["error", "gouge", "rapidInStock", "holderContact"] as const).some((k) => kinds.has(k));
+    const isFault = (["error", ...STOCK_FAULTS] as const).some((k) => kinds.has(k));
     const isGap = (["unproved", "milling", "nothingCut", "noOperation"] as const).some((k) => kinds.has(k));
     expect(proof.verdict).toBe(isFault ? "faults" : isGap ? "incomplete" : "proved");
     expect(kinds.has("holderUnknown")).toBe(proof.holder === "unknown");

@@ -138,6 +138,16 @@ interface Data {
   gouge: { area: number; x: number; z: number };
   rapidInStock: { area: number; x: number; z: number };
   holderContact: { x: number; z: number };
+  /** A plain cut goes below the contour of the cycle that is called in `block`, mm². */
+  cutBelowContour: { block: number; area: number; x: number; z: number };
+  /** A piece no longer hangs together with the clamped end, mm²: `block` has cut it loose. */
+  cameLoose: { shape: "piece" | "ring" | "slug"; area: number; block: number; x: number; z: number };
+  /** The same where a blade or a plain cut parts it off. */
+  partedOff: { area: number; block: number; x: number; z: number };
+  /** A cut on a piece that `block` has cut loose, mm². */
+  cutOnLoosePiece: { area: number; block: number; x: number; z: number };
+  /** Behind the rear end of the blank, at `rear`, below its diameter; "unheld": its outside is turned away up to there. */
+  behindBlank: { motion: "rapid" | "feed" | "unheld"; x: number; z: number; rear: number };
   /** So many moves do damage that those behind them were not looked at. */
   contactsUnlooked: { limit: number };
   /** A cut takes more stock at once than the infeed allows, mm; `pass` is absent on a smoothing or finishing cut. */

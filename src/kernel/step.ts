@@ -26,6 +26,8 @@ export interface Step {
   readonly line?: number;
   /** The block that brought the tool to `from` at rapid, from where nobody knows; absent where the way there is a step or a feed. */
   readonly broughtBy?: number;
+  /** Of a feed move outside cycles: cut along a compensated contour, or said by the program to be meant. */
+  readonly intent?: "compensated" | "meant";
 }
 
 /** A blank that a program states while it runs: what stands in the chuck at a step, by its outline. */

@@ -134,7 +134,7 @@ function perform(
   if (!spindle) machine.log.sayOnce(programIssue("spindleMissing", "warning", {}), index);
   for (const each of path) {
     const move = moveOf(machine, defined, each, from);
-    if (Math.abs(each.to - from.z) > SAME) machine.step(from, move, index, null);
+    if (Math.abs(each.to - from.z) > SAME) machine.step(from, move, index);
     from = move.to;
     const turns = spindle && each.dwell ? (each.dwell / 60) * speedAt(spindle, from.r) : 0;
     if (turns > 0 && Number.isFinite(turns)) {
@@ -146,7 +146,7 @@ function perform(
         dwell: turns,
         phase: "position",
         ...purpose,
-      }, index, null);
+      }, index);
     }
   }
   machine.setPlace({ at: { x: toDiameter(from.r), y: null, z: from.z }, last: null });

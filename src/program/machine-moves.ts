@@ -55,7 +55,7 @@ function turned(machine: Machine, far: number | null, feed: Travel["feed"], inde
   const z = far !== null && from ? from.z + far : from && Number.isFinite(blankEnd) ? Math.max(from.z, blankEnd + BEYOND_BLANK) : null;
   if (from && z !== null) {
     const to = { z: axial(z), r: from.r };
-    if (z !== from.z) machine.step(from, moveOf(machine, part.line(from, to), feed), index, null);
+    if (z !== from.z) machine.step(from, moveOf(machine, part.line(from, to), feed), index);
   }
   const { at, sure } = machine.place;
   machine.setPlace({ at: { ...at, z }, sure: { ...sure, z: z !== null } });

@@ -5,10 +5,12 @@ import type { Block, Program } from "../nc/program.ts";
 import type { FileName, Label, Statement, StatementOf, Value } from "../nc/statement.ts";
 import { NO_TRANSFORM } from "./coordinates-frame.ts";
 import { formulaOf, textOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
+import { MOST_BLOCKS, MOST_MOVES, MOST_OPERATIONS, MOST_TURNED } from "./bounds.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { FreeRun } from "./free-contour.ts";
 import { KnownValues } from "./known-values.ts";
 import { Log } from "./log.ts";
+import { intents } from "./meant-cuts.ts";
 import { AT_START, NO_SHIFT, NOT_PLACED, type Milling, type Modal, type Whereabouts } from "./modal.ts";
 import { pointIn } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
@@ -18,13 +20,6 @@ import type { Shop } from "./shop.ts";
 import { stepOf, timed, type TimedSteps } from "./step-of.ts";
 import type { TracedBlank } from "./tracing.ts";
 import { isSkipped, unitFrom, type Unit } from "./units.ts";
-
-/** Bounds that keep every program finite and its memory small; far above what programs need (docs/performance.md). */
-const MOST_BLOCKS = 1_500_000;
-/** Of milling and turning together, and of turning, which is simulated move by move. */
-const MOST_MOVES = 1_200_000;
-const MOST_TURNED = 400_000;
-const MOST_OPERATIONS = 2_000;
 
 /** A program as it runs: what is in force, what was said and done, and the bounds that end a run. */
 export class Machine {
@@ -62,6 +57,7 @@ export class Machine {
   freeRun: FreeRun | null = null;
   /** FPOL that counts until another does. */
   freePole: StatementOf<"free"> | null = null;
+  private readonly intentOf = intents();
   /** Blocks executed, those of contours that cycles read included. */
   executed = 0;
   full = false;
@@ -270,15 +266,16 @@ export class Machine {
     const { brought, sure } = this.place;
     if (brought === null) return;
     const at = sure.x && sure.z ? this.tip : null;
-    if (at) this.step(at, { kind: "rapid", to: at, phase: "position", run: "rough", step: 0 }, brought, null);
+    if (at) this.step(at, { kind: "rapid", to: at, phase: "position", run: "rough", step: 0 }, brought);
     this.setPlace({ brought: null });
   }
 
-  /** Adds one motion of the current tool. */
-  step(from: Pt, move: Move, index: number, operation: number | null): void {
+  /** Adds one motion of the current tool outside cycles. */
+  step(from: Pt, move: Move, index: number, isCompensated = false): void {
     const { tool } = this.now;
     if (!this.roomForMove(index) || !tool) return;
-    const motion = { from, move, tool, block: this.log.numbers[index] ?? 0, operation, ...this.log.lineOf(index) };
+    const intent = move.kind === "rapid" ? {} : this.intentOf(this.blocks, index, isCompensated);
+    const motion = { from, move, tool, block: this.log.numbers[index] ?? 0, operation: null, ...intent, ...this.log.lineOf(index) };
     this.take(timed([stepOf(motion, this.now.spindle, this.shop.rapid)]), index);
   }
 

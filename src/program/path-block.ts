@@ -34,7 +34,7 @@ export function runHeldElement(machine: Machine): void {
 }
 
 function run(machine: Machine, s: Segment, feed: FeedNumber | null, index: number): void {
-  if (part.lengthOf(s) > SAME) machine.step(s.from, moveOf(machine, s, feed), index, null);
+  if (part.lengthOf(s) > SAME) machine.step(s.from, moveOf(machine, s, feed), index);
 }
 
 /** Holds a new element back until the next block shows whether a corner follows; runs the one before. */

@@ -28,7 +28,7 @@ const carrierOf = (machine: Machine): CarrierFor => (side): Carrier => {
     top: null,
     emit: (s, { feed, index }) => {
       const path = partSegment(s);
-      if (part.lengthOf(path) > SAME) machine.step(path.from, moveOf(machine, path, feed), index, null);
+      if (part.lengthOf(path) > SAME) machine.step(path.from, moveOf(machine, path, feed), index, side !== "none" && feed !== null);
     },
     arrive: () => undefined,
     note: (run) => machine.log.approaches.push(run),

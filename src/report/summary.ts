@@ -32,6 +32,10 @@ function because(r: VerdictReason): string {
       return `rapid through ${fixed(r.area, 3)} mm² of stock, first${inBlock(r.block)}`;
     case "holderContact":
       return `holder touches stock, first${inBlock(r.block)}`;
+    case "cutOnLoosePiece":
+      return `a piece that came loose is cut, first${inBlock(r.block)}`;
+    case "rapidBehindBlank":
+      return `rapid behind the rear end of the blank, first${inBlock(r.block)}`;
     case "unproved":
       return `${r.what} was not simulated: nothing is proved from${r.block === null ? " the beginning" : ` block ${r.block}`}${
         inFile(r.file)

@@ -2,7 +2,7 @@ import { flanksUnknown } from "../kernel/insert.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { Run } from "../program/run-types.ts";
 import { REAL_AREA } from "../kernel/real-area.ts";
-import type { StockFinding, Simulation, Verdict } from "../sim/simulation.ts";
+import { STOCK_FAULTS, type StockFinding, type Simulation, type Verdict } from "../sim/simulation.ts";
 
 /**
  * Why a verdict is what it is, as data: the block where it begins (null: the whole program) and what it is about. `file` is that of
@@ -37,14 +37,12 @@ export function verdictOf(run: Run, simulation: Pick<Simulation, "findings" | "p
   return { verdict, reasons: [...faults, ...gaps, ...notes], clear: verdict === "proved" && notes.length === 0 };
 }
 
-const FOUND = ["gouge", "rapidInStock", "holderContact"] as const;
-
 function faultsOf(run: Run, { findings }: Pick<Simulation, "findings">): VerdictReason[] {
   const out: VerdictReason[] = [];
   const errors = run.issues.filter((f) => f.issue.severity === "error");
   const [first] = errors;
   if (first) out.push({ kind: "error", block: first.block, count: errors.length, ...(first.inFile && { file: first.inFile.file }) });
-  for (const kind of FOUND) {
+  for (const kind of STOCK_FAULTS) {
     const of = findings.filter((f) => f.kind === kind);
     if (of[0]) out.push({ kind, block: of[0].block, count: of.length, area: of.reduce((sum, f) => sum + f.area, 0) });
   }

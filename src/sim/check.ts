@@ -1,33 +1,55 @@
 import { areaOf } from "../kernel/area.ts";
 import { difference, intersection } from "../kernel/clip.ts";
 import { isDrill } from "../kernel/drill.ts";
-import type { Ring } from "../kernel/point.ts";
+import { at, type Ring } from "../kernel/point.ts";
 import { real } from "../kernel/real-area.ts";
 import type { Step } from "../kernel/step.ts";
+import type { Tool } from "../kernel/tool.ts";
 import { inStock } from "./contact.ts";
 import { near, type Cutting } from "./cutting.ts";
+import { behind } from "./behind.ts";
 import type { Edges } from "./edges.ts";
+import type { Loose, RearEnd } from "./held.ts";
 import { holderHits } from "./holder.ts";
 import type { Outlines } from "./outlines.ts";
+import { isPlainCut, judgePlainCut, type Surface } from "./plain-cut.ts";
 import { largest, placeIn } from "./region.ts";
-import type { StockFinding } from "./simulation.ts";
+import type { AnyFinding } from "./simulation.ts";
 import { sweptBy, type Sweep } from "./sweep.ts";
 
 /** Moves that do damage, after which damage is no longer looked for: looking costs far more where there is some. */
 export const MOST_CONTACTS = 1000;
-/** The finished part (shrunk) with its edges, to see gouges. */
+/** The finished part (shrunk) with its edges, to see gouges, and the surfaces of which it is made. */
 export interface Finished {
   readonly rings: readonly Ring[];
   readonly edges: Edges;
+  readonly surfaces: readonly Surface[];
 }
+
+/** What a step is held against beside the stock. */
+export interface Against {
+  readonly steps: readonly Step[];
+  readonly finished: Finished;
+  /** Where the blank ends; null where that is not looked at. */
+  readonly rear: RearEnd | null;
+  /** What has come off and is no longer there. */
+  readonly loose: Loose | null;
+  readonly outlines: (tool: Tool) => Outlines;
+}
+
+/** The tip of a tool, as a spot of this size, mm: the insert behind it may stand where a piece was. */
+const SPOT: Ring = [at(-0.02, -0.02), at(0.02, -0.02), at(0.02, 0.02), at(-0.02, 0.02)];
+const tipRunsIn = (area: readonly Ring[], step: Step): boolean => real(intersection(area, sweptBy(SPOT, step).rings)).length > 0;
 
 /** The tool stands where a rapid has brought it: what it meets there the rapid has run into. */
 const broughtTo = (step: Step): Step => ({ ...step, move: { kind: "rapid", phase: "position", run: "rough", step: 0, to: step.from } });
 
 /** What goes wrong in a step, before its sweep is taken from the stock. */
-export function check(step: Step, index: number, outlines: Outlines, sweep: Sweep, cut: Cutting, finished: Finished): StockFinding[] {
-  const found: StockFinding[] = [];
-  const report = (kind: StockFinding["kind"], rings: Ring[], by: Pick<StockFinding, "block" | "operation"> = step) => {
+export function check(index: number, sweep: Sweep, cut: Cutting, against: Against): AnyFinding[] {
+  const { steps, finished, rear, loose } = against;
+  const step = steps[index] as Step, outlines = against.outlines(step.tool);
+  const found: AnyFinding[] = [];
+  const report = (kind: AnyFinding["kind"], rings: Ring[], by: Pick<AnyFinding, "block" | "operation" | "isMeant" | "rear"> = step) => {
     if (rings.length > 0)
       found.push({
         kind,
@@ -38,6 +60,8 @@ export function check(step: Step, index: number, outlines: Outlines, sweep: Swee
         area: areaOf(rings),
         rings,
         moves: 1,
+        ...(by.isMeant && { isMeant: true }),
+        ...(by.rear !== undefined && { rear: by.rear }),
       });
   };
   const now = cut.present();
@@ -51,8 +75,18 @@ export function check(step: Step, index: number, outlines: Outlines, sweep: Swee
     report("rapidInStock", met.length > 0 ? real(difference(taken, met)) : taken);
   }
   // A bore is cut by the shape of the drill: the contours of turning cycles say nothing of it.
-  if (touches && !isDrill(step.tool) && sweep.pieces.some((p) => finished.edges.meets(p)))
-    report("gouge", sure(real(inStock([sweep], now, finished.rings))));
+  if (touches && !isDrill(step.tool) && sweep.pieces.some((p) => finished.edges.meets(p))) {
+    const taken = sure(real(inStock([sweep], now, finished.rings)));
+    const kind = taken.length > 0 && isPlainCut(step)
+      ? judgePlainCut(index, taken, { ...against, surfaces: finished.surfaces, cut })
+      : "gouge";
+    if (kind === "meant") report("cutBelowContour", taken, { ...step, isMeant: true });
+    else if (kind) report(kind, taken);
+  }
   report("holderContact", sure(holderHits(step, outlines, now)));
+  if (rear)
+    report(step.move.kind === "rapid" ? "rapidBehindBlank" : "feedBehindBlank", behind(sweep, rear), { ...step, rear: rear.z });
+  if (loose && step.move.kind !== "rapid" && sweep.pieces.some((p) => loose.edges.meets(p)) && tipRunsIn(loose.inside, step))
+    report("cutOnLoosePiece", real(intersection(loose.rings, sweep.rings)));
   return found;
 }

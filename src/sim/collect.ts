@@ -3,7 +3,7 @@ import { union } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
 import { boxAround, gapBetween } from "../kernel/box.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
-import type { StockFinding } from "./simulation.ts";
+import type { AnyFinding } from "./simulation.ts";
 
 /** Moves whose places are nearer than this do the same damage, mm. */
 const SAME_PLACE = 0.1;
@@ -13,7 +13,7 @@ const MOST = 500;
 const RINGS = 64;
 
 interface Kept {
-  finding: StockFinding;
+  finding: AnyFinding;
   box: Box;
   /** Area of the largest single piece, which gives the place. */
   largest: number;
@@ -23,8 +23,8 @@ interface Kept {
 
 /** Gathers what moves do wrong, and makes one finding of moves that do it in the same place. */
 export interface Collector {
-  add(found: readonly StockFinding[]): void;
-  all(): StockFinding[];
+  add(found: readonly AnyFinding[]): void;
+  all(): AnyFinding[];
 }
 
 const around = (a: Box, b: Box): Box => ({
@@ -35,7 +35,13 @@ const around = (a: Box, b: Box): Box => ({
 });
 
 /** A gouge and a rapid take away what they find, so their areas add up; a holder leaves it, and finds it again. */
-const staysThere = (f: StockFinding) => f.kind === "holderContact";
+const staysThere = (f: AnyFinding) => f.kind === "holderContact";
+
+/** What goes on over several blocks: a groove is cut in more than one. */
+const goesOn = (f: AnyFinding) => staysThere(f) || f.kind === "cutBelowContour";
+/** Sweeps in a place where no stock is are the same place each time. */
+const covers = (f: AnyFinding) =>
+  staysThere(f) || f.kind === "cutOnLoosePiece" || f.kind === "rapidBehindBlank" || f.kind === "feedBehindBlank";
 
 /**
  * Begins to gather. Moves of one cycle call belong together, outside cycles those of one block; a holder that touches, however
@@ -44,9 +50,9 @@ const staysThere = (f: StockFinding) => f.kind === "holderContact";
 export function collector(): Collector {
   const kept: Kept[] = [];
   const groups = new Map<string, Kept[]>();
-  const last = new Map<StockFinding["kind"], Kept>();
+  const last = new Map<AnyFinding["kind"], Kept>();
 
-  function join(k: Kept, f: StockFinding, box: Box): void {
+  function join(k: Kept, f: AnyFinding, box: Box): void {
     let rings: readonly Ring[] = [...k.finding.rings, ...f.rings];
     if (rings.length > k.many) {
       rings = union(rings);
@@ -65,7 +71,7 @@ export function collector(): Collector {
   return {
     add(found) {
       for (const f of found) {
-        const key = `${f.kind} ${f.operation ?? (staysThere(f) ? "" : `block ${f.block}`)}`;
+        const key = `${f.kind} ${f.isMeant ?? false} ${f.operation ?? (goesOn(f) ? "" : `block ${f.block}`)}`;
         const group = groups.get(key) ?? [];
         const box = boxAround(f.rings);
         const same = group.find((k) => gapBetween(k.box, box) <= SAME_PLACE) ?? (kept.length >= MOST ? last.get(f.kind) : undefined);
@@ -82,7 +88,7 @@ export function collector(): Collector {
       kept.map(({ finding: f }) => {
         if (f.moves === 1) return f;
         const rings = union(f.rings);
-        return { ...f, rings, ...(staysThere(f) && { area: areaOf(rings) }) };
+        return { ...f, rings, ...(covers(f) && { area: areaOf(rings) }) };
       }),
   };
 }

@@ -1,7 +1,7 @@
 import { difference, offset, union } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
-import { SLIVER } from "../kernel/tolerance.ts";
-import type { SimulatedOperation } from "./simulation.ts";
+import { CHORD, SLIVER } from "../kernel/tolerance.ts";
+import type { SimulatedOperation, Simulation } from "./simulation.ts";
 
 /** Everything that the operations together take away when they are perfect. */
 export const machiningArea = (operations: readonly SimulatedOperation[]): Ring[] => union(operations.map((o) => o.plan.area));
@@ -13,4 +13,20 @@ export const machiningArea = (operations: readonly SimulatedOperation[]): Ring[]
 export function finishedPart(operations: readonly SimulatedOperation[]): Ring[] {
   const parts = union(operations.map((o) => o.plan.part));
   return parts.length === 0 ? [] : offset(difference(parts, machiningArea(operations)), -SLIVER);
+}
+
+/** What a program has made by its end: what is still held, and the parts that it has cut off from the blank that is in the chuck. */
+export function madeOf({ final, checkpoints, proof }: Pick<Simulation, "final" | "checkpoints" | "proof">): readonly Ring[] {
+  const stated = checkpoints.findLast((mark) => mark.isStated)?.step ?? 0;
+  return [...final, ...proof.loose.filter(({ shape, step }) => shape === "piece" && step > stated).flatMap(({ rings }) => rings)];
+}
+
+/** Material that is missing by less than this is the chord error of both sides, mm. */
+const MISSING = 2 * SLIVER;
+
+/** A finished part less what feed moves outside of cycles took of it on purpose: what is missing and is no fault. */
+export function lessPlainCuts(part: readonly Ring[], simulation: Simulation): readonly Ring[] {
+  const kept = union([...madeOf(simulation), ...simulation.findings.flatMap((f) => offset(f.rings, MISSING))]);
+  const gone = offset(difference(part, kept), -MISSING / 2);
+  return gone.length === 0 ? part : difference(part, offset(gone, MISSING / 2 + CHORD));
 }

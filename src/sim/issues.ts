@@ -3,7 +3,7 @@ import { REAL_AREA } from "../kernel/real-area.ts";
 import { toDiameter } from "../kernel/units.ts";
 import { MOST_CONTACTS } from "./check.ts";
 import { isTooDeep } from "./measure.ts";
-import type { Depth, StockFinding, OperationProof, Residual, Simulation } from "./simulation.ts";
+import type { AnyFinding, Depth, LoosePiece, OperationProof, Residual, Simulation } from "./simulation.ts";
 
 /** An issue of the proof with where it belongs; block and operation are null for what is left at the end. */
 export interface ProofIssue {
@@ -13,11 +13,44 @@ export interface ProofIssue {
   readonly operation: number | null;
 }
 
-function fromFinding(f: StockFinding): ProofIssue {
-  const [x, z] = [toDiameter(f.place.r), f.place.z];
-  const what = f.kind === "holderContact" ? issue("holderContact", "error", { x, z }) : issue(f.kind, "error", { area: f.area, x, z });
-  return { issue: what, step: f.step, block: f.block, operation: f.operation };
+function whatOf({ kind, area, place, block, other = block, rear = place.z }: AnyFinding): Issue {
+  const [x, z] = [toDiameter(place.r), place.z];
+  switch (kind) {
+    case "holderContact":
+      return issue(kind, "error", { x, z });
+    case "cutOnLoosePiece":
+      return issue(kind, "error", { area, x, z, block: other });
+    case "cutBelowContour":
+      return issue(kind, "warning", { area, x, z, block: other });
+    case "rapidBehindBlank":
+      return issue("behindBlank", "error", { motion: "rapid", x, z, rear });
+    case "feedBehindBlank":
+      return issue("behindBlank", "warning", { motion: "feed", x, z, rear });
+    default:
+      return issue(kind, "error", { area, x, z });
+  }
 }
+
+const fromFinding = (f: AnyFinding): ProofIssue => ({ issue: whatOf(f), step: f.step, block: f.block, operation: f.operation });
+
+/** What came off. A ring or a slug is told as a warning, and so is a piece that nobody parted off on purpose. */
+function fromLoose({ shape, isPartedOff, area, place, step, block, operation }: LoosePiece): ProofIssue {
+  const data = { area, block, x: toDiameter(place.r), z: place.z };
+  const what = isPartedOff ? issue("partedOff", "info", data) : issue("cameLoose", "warning", { shape, ...data });
+  return { issue: what, step: step - 1, block, operation };
+}
+
+/** Nothing of the outside is left where the blank is held. */
+const fromUnheld = ({ unheld }: Simulation["proof"]): ProofIssue[] => {
+  if (!unheld) return [];
+  const { place, rear, step, block, operation } = unheld;
+  return [{
+    issue: issue("behindBlank", "warning", { motion: "unheld", x: toDiameter(place.r), z: place.z, rear }),
+    step,
+    block,
+    operation,
+  }];
+};
 
 function fromResidual(r: Residual): ProofIssue {
   const data = { reason: r.reason, area: r.area, x: toDiameter(r.place.r), z: r.place.z };
@@ -71,6 +104,9 @@ const fromUnlooked = ({ unlooked }: Simulation["proof"]): ProofIssue[] =>
 export const stockIssues =
   (simulation: Pick<Simulation, "findings" | "proof">): ProofIssue[] => [
     ...simulation.findings.map(fromFinding),
+    ...simulation.proof.remarks.map(fromFinding),
+    ...simulation.proof.loose.map(fromLoose),
+    ...fromUnheld(simulation.proof),
     ...fromUnlooked(simulation.proof),
     ...fromStated(simulation.proof),
     ...simulation.proof.operations.flatMap(fromOperation),

@@ -5,10 +5,13 @@ import type { Checkpoint } from "./simulation.ts";
 /** Points of all kept stocks together: 16 bytes each, so 24 MB. */
 const MOST_POINTS = 1_500_000;
 
+/** Whether the stock of a mark is not what the cuts before it left. */
+export const isGiven = ({ isStated, isParted }: Checkpoint): boolean => (isStated ?? isParted) === true;
+
 /** The marks of a run, with no more kept stocks than fit into memory. */
 export interface StockMarks {
-  /** `isStated`: this stock is not what was left before, and is never let go. */
-  add(step: number, stock: readonly Ring[], isStated?: boolean): void;
+  /** `given`: this stock is not what was left before, and is never let go. */
+  add(step: number, stock: readonly Ring[], given?: "isStated" | "isParted"): void;
   all(): readonly Checkpoint[];
 }
 
@@ -22,15 +25,15 @@ export function marksOf(before: readonly Checkpoint[] = [], most = MOST_POINTS):
   const sizeOf = ({ stock }: Checkpoint) => (stock ?? []).reduce((sum, ring) => sum + ring.length / 2, 0);
   let [every, points] = [1, marks.reduce((sum, m) => sum + sizeOf(m), 0)];
   return {
-    add(step, stock, isStated = false) {
-      const kept = isStated || marks.length % every === 0;
-      const mark: Checkpoint = { step, stock: kept ? packed(stock) : null, ...(isStated && { isStated }) };
+    add(step, stock, given) {
+      const kept = given !== undefined || marks.length % every === 0;
+      const mark: Checkpoint = { step, stock: kept ? packed(stock) : null, ...(given && { [given]: true }) };
       marks.push(mark);
       points += sizeOf(mark);
       while (points > most && every < marks.length) {
         every *= 2;
         marks.forEach((m, i) => {
-          if (i % every !== 0 && m.stock && !m.isStated) marks[i] = { step: m.step, stock: null };
+          if (i % every !== 0 && m.stock && !isGiven(m)) marks[i] = { step: m.step, stock: null };
         });
         points = marks.reduce((sum, m) => sum + sizeOf(m), 0);
       }

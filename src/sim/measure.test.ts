@@ -7,6 +7,7 @@ import type { Step } from "../kernel/step.ts";
 import type { TipOrientation, Tool } from "../kernel/tool.ts";
 import { axial, degrees, feed, length, radius } from "../kernel/units.ts";
 import { stockIssues } from "./issues.ts";
+import { madeOf } from "./finished.ts";
 import { simulate } from "./simulate.ts";
 import { playerOf } from "./stock.ts";
 
@@ -232,14 +233,14 @@ describe("the other side of the axis", () => {
   });
   test("a tool that crosses the axis clears both sides of its width, and no stock is below the axis", () => {
     const s = run(bar, at(-20, 32), [cut(-20, -12)]);
-    expect(areaOf(s.final)).toBeCloseTo(50 * 30 - 3 * 30, 4);
+    expect(areaOf(madeOf(s))).toBeCloseTo(50 * 30 - 3 * 30, 4);
     const stub = simulate({
       blank: [box(-50, 5, 0, 30)],
       operations: [],
       unproved: [],
       steps: [{ from: at(-20, 0), move: cut(-20, -8), tool: { ...bar, CUTLENGTH: length(6) }, block: 1, operation: null, seconds: 1 }],
     });
-    expect(areaOf(stub.final)).toBeCloseTo(50 * 25 - 3 * 3 + 2 * (1 - Math.PI / 4) * 0.04, 2);
+    expect(areaOf(madeOf(stub))).toBeCloseTo(50 * 25 - 3 * 3 + 2 * (1 - Math.PI / 4) * 0.04, 2);
     expect(stub.final.flat().every((p) => p.r >= 5)).toBe(true);
   });
 });

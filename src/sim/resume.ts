@@ -5,12 +5,15 @@ import type { MachiningLimit } from "../kernel/plan.ts";
 import type { Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
+import type { Finished } from "./check.ts";
 import type { Cutting } from "./cutting.ts";
 import { sidesOf } from "./edges.ts";
 import type { MeasuredSoFar, StockMeasure } from "./measure.ts";
+import type { Parted } from "./held.ts";
 import type { Outlines } from "./outlines.ts";
+import { isPlainCut, plainRun, type Surface } from "./plain-cut.ts";
 import { sameRings, sameSteps } from "./same-step.ts";
-import type { Checkpoint, SimulatedOperation, SimulationInput, StockFinding } from "./simulation.ts";
+import type { Checkpoint, SimulatedOperation, SimulationInput, AnyFinding } from "./simulation.ts";
 import { sweptBy, waypoints } from "./sweep.ts";
 
 /*
@@ -34,10 +37,12 @@ export interface Former {
   readonly snapshots: readonly Snapshot[];
   readonly marks: readonly Checkpoint[];
   /** What each step did wrong, by its index. */
-  readonly damage: ReadonlyMap<number, readonly StockFinding[]>;
+  readonly damage: ReadonlyMap<number, readonly AnyFinding[]>;
   readonly sums: ReturnType<StockMeasure["sums"]>;
   /** The finished part at the beginning. */
-  readonly finished: readonly Ring[];
+  readonly finished: Finished;
+  /** What came off. */
+  readonly parted: readonly Parted[];
 }
 
 /** Where a simulation goes on, and the steps before that have to be looked at again, because the finished part is another one there. */
@@ -85,15 +90,26 @@ const apart = (a: Box, b: Box): boolean => a.right < b.left || b.right < a.left 
 function touching(
   former: Former,
   input: SimulationInput,
-  finished: readonly Ring[],
+  { rings: finished, surfaces }: Finished,
   until: number,
   outlines: (tool: Step["tool"]) => Outlines,
 ) {
-  if (sameRings(former.finished, finished)) return [];
-  const differs = offset([...difference(former.finished, finished), ...difference(finished, former.finished)], SLIVER);
+  const lines = (of: readonly Surface[]) => of.map(({ line }) => line);
+  const isSame = sameRings(former.finished.rings, finished);
+  const sameSurfaces = sameRings(lines(former.finished.surfaces), lines(surfaces));
+  // What is meant with a plain cut shows at the end of its run, which may be another one now.
+  const open = isPlainCut(input.steps[until - 1]) ? plainRun(input.steps, until - 1)[0] : until;
+  const judged = (i: number) => former.damage.get(i)?.some(({ kind }) => kind === "gouge" || kind === "cutBelowContour") === true;
+  if (isSame) {
+    const first = sameSurfaces ? open : 0;
+    return [...former.damage.keys()].filter((i) => i >= first && i < until && judged(i) && isPlainCut(input.steps[i])).sort((a, b) =>
+      a - b
+    );
+  }
+  const differs = offset([...difference(former.finished.rings, finished), ...difference(finished, former.finished.rings)], SLIVER);
   const [edges, box] = [sidesOf(differs), differs.length > 0 ? boxAround(differs) : null];
   return input.steps.slice(0, until).flatMap((step, i) => {
-    if (former.damage.get(i)?.some((f) => f.kind === "gouge")) return [i];
+    if (judged(i)) return [i];
     const { checked } = outlines(step.tool);
     const swept = box && sweptBox(checked, step);
     if (!swept || apart(swept, box)) return [];
@@ -113,7 +129,7 @@ export function nearestRun(known: readonly Former[], input: SimulationInput): Fo
 export function resumed(
   former: Former,
   input: SimulationInput,
-  finished: readonly Ring[],
+  finished: Finished,
   outlines: (tool: Step["tool"]) => Outlines,
 ): Resumed | null {
   if (!sameRings(former.input.blank, input.blank)) return null;

@@ -33,6 +33,6 @@ export function sameSteps(): (a: Step, b: Step) => boolean {
   const sameBringing = (a: Step, b: Step): boolean => (a.broughtBy === undefined) === (b.broughtBy === undefined);
   return (a, b) =>
     a === b
-    || (a.operation === b.operation && sameBringing(a, b) && samePoint(a.from, b.from) && sameMove(a.move, b.move)
+    || (a.operation === b.operation && a.intent === b.intent && sameBringing(a, b) && samePoint(a.from, b.from) && sameMove(a.move, b.move)
       && sameTool(a.tool, b.tool));
 }

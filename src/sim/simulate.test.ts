@@ -91,8 +91,10 @@ describe("removed areas follow the formulas", () => {
     const s = run(button, at(-37, 27), [arc]);
     expect(blankArea - areaOf(s.final)).toBeCloseTo((Math.PI / 4) * (15 ** 2 - 9 ** 2) + (Math.PI * 9) / 2, 1);
   });
-  test("parting leaves two pieces", () => {
-    expect(run(bar, at(-20, 32), [cut(-20, -1)]).final).toHaveLength(2);
+  test("parting leaves the piece that is held, and names the one that is not", () => {
+    const { final, proof } = run(bar, at(-20, 32), [cut(-20, -1)]);
+    expect(final).toHaveLength(1);
+    expect(proof.loose).toMatchObject([{ shape: "piece", isPartedOff: true, block: 10 }]);
   });
 });
 

@@ -2,20 +2,23 @@ import { areaOf } from "../kernel/area.ts";
 import { packed } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
-import { check, MOST_CONTACTS, type Finished } from "./check.ts";
+import { check, MOST_CONTACTS } from "./check.ts";
 import { collector } from "./collect.ts";
 import { inStock } from "./contact.ts";
-import { cutting, type Cutting } from "./cutting.ts";
-import { sidesOf } from "./edges.ts";
+import { cutsAtRear, unheldAt } from "./behind.ts";
+import { cutting, near, type Cutting } from "./cutting.ts";
 import { thicknessOf } from "./extent.ts";
-import { finishedPart } from "./finished.ts";
+import { cutEnds, holding, loosePieces, onLoosePieces, partsOff, type Parted } from "./held.ts";
 import { marksOf } from "./marks.ts";
 import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
+import { operationBelow } from "./plain-cut.ts";
 import { recalling } from "./recall.ts";
+import { setupsOf } from "./setups.ts";
 import { residualAgain, residualOf, type KnownShapes } from "./residual.ts";
 import { nearestRun, resumed, snapshotSteps, type Former, type Resumed } from "./resume.ts";
-import type { Depth, StockFinding, Proof, Residual, SimulatedOperation, Simulation, SimulationInput } from "./simulation.ts";
+import type { AnyFinding, Depth, LoosePiece, StockFinding, StockRemark, Proof, SimulatedOperation, Simulation, SimulationInput,
+  Unheld } from "./simulation.ts";
 import { statedBlanks } from "./stated.ts";
 import { sweptBy, type Sweep } from "./sweep.ts";
 
@@ -34,38 +37,6 @@ function startTimesOf(steps: readonly Step[]): Float64Array {
 
 const total = (findings: readonly StockFinding[], kind: StockFinding["kind"]) =>
   findings.reduce((sum, f) => (f.kind === kind ? sum + f.area : sum), 0);
-
-/**
- * The work as it is held: what an outline that is stated later takes the place of is judged as it stood until then, and the contours
- * of before say nothing of what comes behind.
- */
-function setupsOf(
-  operations: readonly SimulatedOperation[],
-  residual: (stock: readonly Ring[], of: readonly SimulatedOperation[]) => readonly Residual[],
-) {
-  const left: Residual[] = [];
-  let first = 0;
-  const known = (from: number): Finished => {
-    const rings = finishedPart(operations.slice(from));
-    return { rings, edges: sidesOf(rings) };
-  };
-  const atFirst = known(0);
-  let finished = atFirst;
-  const until = (stock: readonly Ring[], end: number): Residual[] =>
-    residual(stock, operations.slice(first, end)).map((r) => ({ ...r, operation: r.operation + first }));
-  return {
-    atFirst,
-    finished: () => finished,
-    change(stock: readonly Ring[], step: number): void {
-      const next = operations.findIndex((o) => o.firstStep >= step);
-      const end = next < 0 ? operations.length : next;
-      left.push(...until(stock, end));
-      first = end;
-      finished = known(first);
-    },
-    residual: (stock: readonly Ring[]): readonly Residual[] => [...left, ...until(stock, operations.length)],
-  };
-}
 
 /** Cutting that begins anew now and then, always after the same steps. */
 function walk(from: Cutting, marked: number) {
@@ -93,32 +64,38 @@ function damageBefore(
   former: Former,
   { blank, steps }: SimulationInput,
   look: Look,
-): Map<number, readonly StockFinding[]> {
-  const again = new Map<number, readonly StockFinding[]>();
+): Map<number, readonly AnyFinding[]> {
+  const again = new Map<number, readonly AnyFinding[]>();
+  const parted = new Map(former.parted.map((p) => [p.step, p.held]));
   let [next, at] = [0, walk(cutting(blank), 0)];
   for (const step of recheck) {
     const nearest = former.snapshots.findLast((s) => s.step <= step);
     if (nearest && next < nearest.step) [next, at] = [nearest.step, walk(nearest.cut.copy(), nearest.marked)];
     for (; next <= step; next += 1) {
+      const held = parted.get(next);
+      if (held) at.begin(next, held);
       const cut = at.before(next);
       const { sweep, check } = look(steps[next] as Step, next);
       if (next === step) again.set(step, check(cut));
       cut.add(sweep);
     }
   }
-  const damage = new Map<number, readonly StockFinding[]>();
+  const damage = new Map<number, readonly AnyFinding[]>();
   const ordered = [...new Set([...former.damage.keys(), ...again.keys()])].filter((i) => i < from.step).sort((a, b) => a - b);
-  const byBringing = (f: StockFinding) => f.block === former.input.steps[f.step]?.broughtBy;
+  const byBringing = (f: AnyFinding) => f.block === former.input.steps[f.step]?.broughtBy;
   for (const i of ordered) {
-    const blockOf = (f: StockFinding) => (byBringing(f) ? steps[i]?.broughtBy : steps[i]?.block) ?? f.block;
+    const blockOf = (f: AnyFinding) => (byBringing(f) ? steps[i]?.broughtBy : steps[i]?.block) ?? f.block;
     const found = again.get(i) ?? former.damage.get(i)?.map((f) => ({ ...f, block: blockOf(f) })) ?? [];
     if (found.length > 0) damage.set(i, found);
   }
   return damage;
 }
 
+/** Contacts, after so many of which nobody looks any more. */
+const CONTACTS: ReadonlySet<AnyFinding["kind"]> = new Set(["gouge", "rapidInStock", "holderContact"]);
+
 /** What a step sweeps, and what it does wrong in a stock. */
-type Look = (step: Step, index: number) => { readonly sweep: Sweep; readonly check: (cut: Cutting) => StockFinding[] };
+type Look = (step: Step, index: number) => { readonly sweep: Sweep; readonly check: (cut: Cutting) => AnyFinding[] };
 
 /** What is made of shapes: anew each time, or known from simulations before. */
 interface Measuring {
@@ -157,6 +134,19 @@ export function simulating(): (input: SimulationInput) => Simulation {
   };
 }
 
+const fallen = (parted: readonly Parted[]): number =>
+  parted.reduce((sum, { loose }) => sum + loose.reduce((all, { area }) => all + area, 0), 0);
+
+/** A finding with what only the whole run tells of it; none where that shows it to be no fault. */
+function settled(f: AnyFinding, loose: readonly LoosePiece[], below: (area: readonly Ring[]) => number | undefined): AnyFinding[] {
+  if (f.isMeant) return [];
+  if (f.kind === "cutOnLoosePiece") return onLoosePieces(f, loose);
+  return [f.kind === "cutBelowContour" ? { ...f, other: below(f.rings) ?? f.block } : f];
+}
+
+const isRemark = (f: AnyFinding): f is StockFinding<StockRemark> => f.kind === "cutBelowContour" || f.kind === "feedBehindBlank";
+const isFault = (f: AnyFinding): f is StockFinding => !isRemark(f);
+
 function simulated(
   input: SimulationInput,
   former: Former | null,
@@ -169,13 +159,19 @@ function simulated(
     const shapes = outlines(step.tool);
     const sweep = sweptBy(shapes.insert, step);
     const touching = shapes.checked === shapes.insert ? sweep : sweptBy(shapes.checked, step);
-    return { sweep, check: (cut) => check(step, index, shapes, touching, cut, setups.finished()) };
+    return {
+      sweep,
+      check: (cut) => check(index, touching, cut, { steps, finished: setups.finished(), rear: held.rear(), loose: held.loose(), outlines }),
+    };
   };
-  const resume = former && resumed(former, input, setups.atFirst.rings, outlines);
+  const resume = former && resumed(former, input, setups.atFirst, outlines);
   const from = resume?.from;
-  const damage = former && resume ? damageBefore(resume, former, input, look) : new Map<number, readonly StockFinding[]>();
+  const held = holding(blank, former && from ? former.parted.filter(({ step }) => step < from.step) : []);
+  const damage = former && resume ? damageBefore(resume, former, input, look) : new Map<number, readonly AnyFinding[]>();
+  const isContact = (found: readonly AnyFinding[]) => found.some((f) => CONTACTS.has(f.kind));
+  let contacts = [...damage.values()].filter(isContact).length;
   // Where nobody looks any more depends on all that was found before.
-  if (damage.size >= MOST_CONTACTS && resume) return simulated(input, null, { thickness, residual });
+  if (contacts >= MOST_CONTACTS && resume) return simulated(input, null, { thickness, residual });
   const marks = marksOf(former && from ? former.marks.slice(0, from.marks) : [{ step: 0, stock: packed(blank) }]);
   const measure = measuring(operations, blank, former && from ? { state: from.measure, step: from.step, sums: former.sums } : null);
   const snapshots = former && from ? former.snapshots.filter(({ step }) => step <= from.step) : [];
@@ -184,6 +180,29 @@ function simulated(
   let unlooked: Proof["unlooked"] = null;
   const at = walk(from?.cut.copy() ?? cutting(blank), from?.marked ?? 0);
   const statements = statedBlanks(input.stated ?? []);
+  for (const parted of held.parted()) setups.partOff(partsOff(parted), parted.step);
+  const unheld: Omit<Unheld, "block">[] = [];
+  /** The last cut, and whether anything was cut since it was last looked at what hangs together. */
+  let [lastCut, isWhole] = [-1, false];
+
+  /** What a cut that has ended leaves hanging together. */
+  function lookWhole(i: number, isReplaced: boolean): void {
+    if (isWhole || !cutEnds(steps, i)) return;
+    isWhole = true;
+    const parted = held.look(i, at.present().cut.stock());
+    if (!parted) return;
+    setups.partOff(partsOff(parted), i);
+    if (isReplaced) return;
+    at.begin(i, parted.held);
+    marks.add(i, parted.held, "isParted");
+  }
+  /** Whether something is left to hold, before another blank takes its place or at the end. */
+  function lookHeld(stock: readonly Ring[], of: readonly SimulatedOperation[]): void {
+    const rear = held.rear(), place = lastCut < 0 ? null : unheldAt(held.blank(), stock, rear);
+    if (!rear || !place) return;
+    const operation = cutsAtRear(of, rear);
+    unheld.push({ step: operation === null ? lastCut : (operations[operation]?.firstStep ?? 0), operation, place, rear: rear.z });
+  }
   for (let i = from?.step ?? 0; i < steps.length; i += 1) {
     const step = steps[i] as Step;
     if (isKept(i) && i > (from?.step ?? 0)) {
@@ -191,37 +210,49 @@ function simulated(
       snapshots.push({ step: i, cut: cut.copy(), marked, marks: marks.all().length, byRapids, measure: measure.state(step.operation) });
     }
     const now = statements.at(i, at.present().cut);
+    lookWhole(i, now !== null);
     if (now) {
+      lookHeld(at.present().cut.stock(), operations.slice(0, setups.begunBefore(i)));
       setups.change(at.present().cut.stock(), i);
+      held.change(now);
       at.begin(i, now);
-      marks.add(i, now, true);
+      marks.add(i, now, "isStated");
     }
     const cut = at.before(i, (stock) => marks.add(i, stock));
     const { sweep, check: checked } = look(step, i);
-    if (damage.size < MOST_CONTACTS) {
+    if (contacts < MOST_CONTACTS) {
       const found = checked(cut);
       if (found.length > 0) damage.set(i, found);
+      if (isContact(found)) contacts += 1;
     } else unlooked ??= { step: i, block: step.block };
     measure.add(step, i, sweep, outlines(step.tool), cut);
     if (step.move.kind === "rapid" && !unlooked) byRapids += areaOf(inStock([sweep], cut.present()));
+    if (step.move.kind !== "rapid") lastCut = i;
+    isWhole &&= near(sweep, cut.present().meets).length === 0;
     cut.add(sweep);
   }
+  lookWhole(steps.length, false);
   const { cut, marked } = at.present();
   if (steps.length > (from?.step ?? 0))
     snapshots.push({ step: steps.length, cut: cut.copy(), marked, marks: marks.all().length, byRapids, measure: measure.state(null) });
+  lookHeld(cut.stock(), operations);
   const last = statements.at(steps.length, cut);
   if (last) {
     setups.change(cut.stock(), steps.length);
-    marks.add(steps.length, last, true);
+    marks.add(steps.length, last, "isStated");
   }
   const final = last ?? cut.stock();
   const found = collector();
   for (const each of damage.values()) found.add(each);
-  const findings = found.all();
+  const loose = held.parted().flatMap((parted) => loosePieces(parted, steps));
+  const blockOf = (operation: number | null) => steps[operations[operation ?? -1]?.firstStep ?? -1]?.block;
+  const below = (area: readonly Ring[]) => blockOf(operationBelow(area, setups.surfaces));
+  const all = found.all().flatMap((f) => settled(f, loose, below));
+  const findings = all.filter(isFault);
   const measured = measure.results(steps);
   const startTimes = startTimesOf(steps);
   const checkpoints = marks.all();
-  const isWhole = unlooked === null && checkpoints.every(({ stock }) => stock !== null);
+  const isKnown = unlooked === null && checkpoints.every(({ stock }) => stock !== null);
   const simulation: Simulation = {
     blank,
     steps,
@@ -234,17 +265,19 @@ function simulated(
       gouge: total(findings, "gouge"),
       rapidInStock: total(findings, "rapidInStock"),
       residual: setups.residual(final),
-      cut: Math.max(0, areaOf(blank) + statements.added() - areaOf(final) - byRapids),
+      cut: Math.max(0, areaOf(blank) + statements.added() - areaOf(final) - byRapids - fallen(held.parted())),
       airPasses: measured.reduce((sum, o) => sum + o.airPasses, 0),
       deepest: measured.reduce<Depth | null>((best, { deepest }) => (deepest && deepest.depth > (best?.depth ?? 0) ? deepest : best), null),
       holder: findings.some((f) => f.kind === "holderContact") ? "contact" : steps.some((s) => !s.tool.holder) ? "unknown" : "clear",
       unproved: [...unproved, ...statements.unproved()],
       stated: statements.all(),
+      loose,
+      remarks: all.filter(isRemark),
+      unheld: unheld.map((u) => ({ ...u, block: steps[u.step]?.block ?? 0 }))[0] ?? null,
       unlooked,
       operations: measured,
     },
   };
-  const { atFirst } = setups;
-  const kept = { input, snapshots, marks: checkpoints, damage, sums: measure.sums(), finished: atFirst.rings };
-  return { simulation, kept: isWhole ? kept : null };
+  const kept = { input, snapshots, marks: checkpoints, damage, sums: measure.sums(), finished: setups.atFirst, parted: held.parted() };
+  return { simulation, kept: isKnown ? kept : null };
 }

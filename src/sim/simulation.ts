@@ -41,11 +41,20 @@ export interface Checkpoint {
   readonly stock: PackedRings | null;
   /** True where the program states another blank: its stock is kept, and is not what was left before. */
   readonly isStated?: true;
+  /** True where pieces came loose: its stock is kept, and is what is still held. */
+  readonly isParted?: true;
 }
 
-/** Something that must not happen, found by the stock: where the tool cut the finished part, or ran into material. */
-export interface StockFinding {
-  readonly kind: "gouge" | "rapidInStock" | "holderContact";
+/** What must not happen in a stock. */
+export const STOCK_FAULTS = ["gouge", "rapidInStock", "holderContact", "cutOnLoosePiece", "rapidBehindBlank"] as const;
+export type StockFault = (typeof STOCK_FAULTS)[number];
+
+/** What may be meant: plain cuts below the contour of a cycle, and feeds behind the blank. */
+export type StockRemark = "cutBelowContour" | "feedBehindBlank";
+
+/** Something found by the stock: where the tool cut the finished part, ran into material, or stood behind the blank. */
+export interface StockFinding<Kind = StockFault> {
+  readonly kind: Kind;
   readonly step: number;
   readonly block: number;
   readonly operation: number | null;
@@ -56,7 +65,15 @@ export interface StockFinding {
   readonly rings: readonly Ring[];
   /** Moves that did it in this place; `step` is the first of them. */
   readonly moves: number;
+  /** The block that it is about beside its own: the cycle whose contour a plain cut goes below, or what cut a piece loose. */
+  readonly other?: number;
+  /** Where the blank ends that it is behind of, Z in mm. */
+  readonly rear?: number;
+  /** A plain cut below a contour that is no fault; it is kept while the run may still change. */
+  readonly isMeant?: true;
 }
+
+export type AnyFinding = StockFinding<StockFault | StockRemark>;
 
 /** Material inside the area of the operations that is still there at the end. */
 export interface Residual {
@@ -82,6 +99,25 @@ export interface StatedProof {
   readonly adds: number;
 }
 
+/** A piece lies in front of what is held, round it as a ring, or inside it as a slug. */
+export type LooseShape = "piece" | "ring" | "slug";
+
+/** A piece that no longer hangs together with the clamped end. It has left the stock. */
+export interface LoosePiece {
+  /** Index of the step that comes after it fell off. */
+  readonly step: number;
+  /** The block that cut it loose. */
+  readonly block: number;
+  readonly operation: number | null;
+  readonly shape: LooseShape;
+  /** A blade or a cut outside cycles has parted it off on purpose. */
+  readonly isPartedOff: boolean;
+  readonly rings: readonly Ring[];
+  readonly area: number;
+  /** A point inside. */
+  readonly place: Pt;
+}
+
 /** Sums over the run in mm² of the half plane. */
 export interface Proof {
   readonly gouge: number;
@@ -102,8 +138,23 @@ export interface Proof {
   readonly unlooked: { readonly step: number; readonly block: number } | null;
   readonly unproved: readonly Unproved[];
   readonly stated: readonly StatedProof[];
+  /** What came off the held end, in the order of the run; it has left the stock. */
+  readonly loose: readonly LoosePiece[];
+  /** Where the outside is turned to the very end at which the blank is held; null: something is left to hold. */
+  readonly unheld: Unheld | null;
+  readonly remarks: readonly StockFinding<StockRemark>[];
   /** For each operation of the run, in its order. */
   readonly operations: readonly OperationProof[];
+}
+
+/** The operation or the block that left nothing to hold at the rear end, and a place there. */
+export interface Unheld {
+  readonly step: number;
+  readonly block: number;
+  readonly operation: number | null;
+  readonly place: Pt;
+  /** Where the blank ends, Z in mm. */
+  readonly rear: number;
 }
 
 /** A measured depth against what is allowed, mm; `allowed` is 0 when nothing limits it. */

@@ -1,6 +1,7 @@
 import { unpacked } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
 import { cutting, type Cutting, type Present } from "./cutting.ts";
+import { isGiven } from "./marks.ts";
 import { outlinesOf } from "./outlines.ts";
 import type { Checkpoint, PlayPosition, Simulation } from "./simulation.ts";
 import { sweptBy } from "./sweep.ts";
@@ -69,7 +70,7 @@ export function playerOf(simulation: Simulation): Player {
     for (;;) {
       const begun: Checkpoint | undefined = checkpoints[now.mark + 1];
       if (begun?.step === now.next)
-        now = { mark: now.mark + 1, next: now.next, cut: cutting(begun.isStated ? unpacked(begun.stock ?? []) : now.cut.stock()) };
+        now = { mark: now.mark + 1, next: now.next, cut: cutting(isGiven(begun) ? unpacked(begun.stock ?? []) : now.cut.stock()) };
       if (step - now.next < RECENT_STEPS && !recent.has(now.next)) keep(now.next, now.cut.present());
       if (now.next >= step) return now.cut;
       const s = simulation.steps[now.next];

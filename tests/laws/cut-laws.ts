@@ -5,6 +5,7 @@ import { difference, intersection, offset } from "../../src/kernel/clip.ts";
 import { at, part } from "../../src/kernel/point.ts";
 import type { Simulation } from "../../src/sim/simulation.ts";
 import { areaOf, common, each, filled, grown, without, withoutCrumbs, type Field, type Grid } from "../judge/field.ts";
+import { heldIn } from "../judge/held.ts";
 import type { P } from "../judge/insert.ts";
 import { gridOver, judge, sumOf, THIN, type Verdict } from "../judge/judge.ts";
 import { doing, type Finding, type Situation } from "./situation.ts";
@@ -83,11 +84,33 @@ const rapidsAreFree: CutLaw = (w) => {
  * only touches a surface, chords that are half a micrometre off in depth are hundredths off in width.
  */
 const judgesAgreeOnStock: CutLaw = (w) => {
-  const least = (of: (v: Verdict, other: Field) => number) => Math.min(...w.verdicts.map((v) => of(v, filled(v.grid, w.simulation.final))));
-  const more = least(({ grid, final }, other) => beyond(grid, final, other));
-  const less = least(({ grid, final }, other) => beyond(grid, other, final));
+  const least = (of: (v: Verdict) => number) => Math.min(...w.verdicts.map(of));
+  const standing = [...w.simulation.final, ...looseOf(w)];
+  const more = least(({ grid, final }) => beyond(grid, final, filled(grid, standing)));
+  const less = least(({ grid, final }) => beyond(grid, filled(grid, w.simulation.final), final));
   if (more <= REAL && less <= REAL) return null;
   return `the columns keep ${mm2(more)} more and ${mm2(less)} less than the polygons`;
+};
+
+const looseOf = ({ simulation }: Worked) => simulation.proof.loose.flatMap(({ rings }) => rings);
+
+/** Pieces that hang on by less than this are judged by neither, mm; smaller ones are crumbs, mm². */
+const HANGS = 0.05;
+const PIECE = 0.1;
+
+/** What no longer hangs together with the rear end has left the stock, and nothing else has. */
+const judgesAgreeOnLoose: CutLaw = (w) => {
+  if (w.plans.length > 1) return null;
+  const rear = Math.min(...w.situation.blank.flat().map(({ z }) => z));
+  const least = (of: (v: Verdict) => number) => Math.min(...w.verdicts.map(of));
+  const held = least(({ grid, final }) => areaOf(grid, each(heldIn(grid, final, rear, HANGS), filled(grid, looseOf(w)), common)));
+  // Where a cut has taken all that was clamped, nothing tells what holds the rest.
+  if (w.verdicts.every(({ grid, final }) => areaOf(grid, heldIn(grid, final, rear, -HANGS)) === 0)) return null;
+  if (held > PIECE) return `${mm2(held)} that hang together with the rear end have left the stock`;
+  const loose = least(({ grid, final }) =>
+    beyond(grid, withoutCrumbs(grid, each(final, heldIn(grid, final, rear, -HANGS), without), PIECE), filled(grid, looseOf(w)))
+  );
+  return loose > PIECE ? `${mm2(loose)} that hang on nothing are still there` : null;
 };
 
 /** A fault that one of them sees well above its resolution, the other sees too; unless it has said that it looks no further. */
@@ -194,6 +217,7 @@ export const cutLaws: Readonly<Record<string, CutLaw>> = {
   partStaysWhole,
   rapidsAreFree,
   judgesAgreeOnStock,
+  judgesAgreeOnLoose,
   judgesAgreeOnFaults,
   judgesAgreeOnResidue,
   nothingReachableStays,

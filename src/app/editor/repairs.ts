@@ -7,6 +7,7 @@ import type { Statement } from "../../nc/statement.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { valueInProgram } from "../../program/cycle-values.ts";
 import { kept } from "../../program/field.ts";
+import { beginOfCut, MEANT } from "../../program/meant-cuts.ts";
 import type { NcOutput } from "../../program/nc-output.ts";
 import { outputIn } from "../../program/output-in.ts";
 import { STOPS_SPINDLE } from "../../program/spindle-start.ts";
@@ -20,7 +21,7 @@ import { withContour, withContourNamed } from "./missing-contour.ts";
 
 /** A change of the program that mends a finding: a value taken, a block put in, a word written, something taken out. */
 export interface Repair {
-  readonly kind: "take" | "insert" | "write" | "remove" | "tie";
+  readonly kind: "take" | "insert" | "write" | "remove" | "tie" | "meant";
   /** The value, the block or the word, as the program writes it; a value as a number. */
   readonly text: string | number;
   /** Number of the block that is changed. */
@@ -235,6 +236,11 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
       return insert(placeOfEnd(program), { kind: "functions", words: { ...noWords, functions: [output.end] } });
     case "listWithoutTilde":
       return [{ kind: "tie", text: "~", block: "", open: index, next: () => withTiedLists(program) }];
+    case "cutBelowContour": {
+      const at = beginOfCut(program.blocks, index);
+      const next = () => withInserted(program, at, { kind: "comment", text: ` ${MEANT}` });
+      return [{ kind: "meant", text: MEANT, block: "", open: index + 1, next }];
+    }
     case "blankMissing":
       return asking(insert(lastOf(program, program.blocks.length, (s) => s.kind === "begin") + 1, {
         kind: "blankCylinder",

@@ -61,6 +61,7 @@ export function useProgramHost(): FindingsHost {
     const nameOf = ({ kind, text, block }: Repair): string => {
       if (kind === "take") return t.dialog.takeNearest(typeof text === "number" ? writeTyped(language, text, DECIMALS) : text);
       if (kind === "tie") return t.page.text.tie;
+      if (kind === "meant") return t.findings.meant;
       if (kind === "write") return t.findings.write(String(text), block);
       return kind === "insert" ? t.findings.insert(String(text)) : t.findings.remove(String(text));
     };

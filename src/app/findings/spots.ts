@@ -4,7 +4,7 @@ import type { Pt, Ring } from "../../kernel/point.ts";
 import { axial, diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
 import type { RunFinding as RunFinding, Run } from "../../program/run-types.ts";
 import type { ProofIssue } from "../../sim/issues.ts";
-import type { Simulation } from "../../sim/simulation.ts";
+import type { AnyFinding, Simulation } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";
 import type { FindingSpot } from "./entry.ts";
 import { JOINED } from "../../kernel/tolerance.ts";
@@ -15,7 +15,19 @@ type Unmarked = Omit<FindingSpot, "mark">;
 const ROUND = 2;
 
 /** A rapid is seen before it runs into the material, the others when they have happened. */
-const SEEN = { rapidInStock: 0, gouge: 0.999, holderContact: 0.5, cutBehindLimit: 0.999 } as const;
+const SEEN = {
+  rapidInStock: 0,
+  gouge: 0.999,
+  holderContact: 0.5,
+  cutBehindLimit: 0.999,
+  cutOnLoosePiece: 0.5,
+  rapidBehindBlank: 0.999,
+  feedBehindBlank: 0.999,
+  cutBelowContour: 0.999,
+} as const;
+
+/** The code under which a finding of the stock is told. */
+const codeOf = (kind: AnyFinding["kind"]) => (kind === "rapidBehindBlank" || kind === "feedBehindBlank" ? "behindBlank" : kind);
 
 const roundPoint = ({ z, r }: Pt): Bounds => ({ left: z - ROUND, right: z + ROUND, low: r - ROUND, high: r + ROUND });
 
@@ -78,8 +90,12 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
     }
     case "gouge":
     case "rapidInStock":
-    case "holderContact": {
-      const f = findings.find((each) => each.kind === issue.code && isAt(issue.data)(each));
+    case "holderContact":
+    case "cutOnLoosePiece":
+    case "cutBelowContour":
+    case "behindBlank": {
+      const f = [...findings, ...proof.remarks].find((each) => codeOf(each.kind) === issue.code && isAt(issue.data)(each));
+      const spot = f || step === null ? null : spotOfMove(simulation, step);
       return f
         ? {
           spot: {
@@ -90,7 +106,7 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
             position: { step: f.step, fraction: SEEN[f.kind] },
           },
         }
-        : null;
+        : spot && { spot };
     }
     default: {
       const spot = step === null ? null : spotOfMove(simulation, step);

@@ -1,3 +1,4 @@
+import { madeOf } from "../../sim/finished.ts";
 import { thumbnailOf } from "../../view/thumbnail.ts";
 import { isMadeFrom, useOutcome } from "../engine/outcome.ts";
 import { useEditor } from "../store.ts";
@@ -14,7 +15,7 @@ export function startKeepingPictures(): () => void {
     timer = undefined;
     const { shown, dimmed } = useOutcome.getState();
     if (work === null || !shown || dimmed || shown.isBeginning || shown.run.operations.length === 0) return;
-    const made = thumbnailOf(shown.run.blank, shown.simulation.final);
+    const made = thumbnailOf(shown.run.blank, madeOf(shown.simulation));
     if (made) keepPicture(work, made);
   };
   const stops = [

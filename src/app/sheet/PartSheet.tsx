@@ -1,3 +1,4 @@
+import { madeOf } from "../../sim/finished.ts";
 import { useId, useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import { boundsOf } from "../../view/bounds.ts";
@@ -22,7 +23,7 @@ export function PartSheet({ outcome, measured, name, t, words }: { readonly outc
     const { run, simulation } = outcome;
     return partDrawing({
       blank: run.blank,
-      finished: simulation.final,
+      finished: madeOf(simulation),
       contours: run.operations.map(({ plan: { contour, thread } }) => ({
         segments: contour,
         ...(thread && { thread: { lead: thread.lead, starts: thread.starts } }),

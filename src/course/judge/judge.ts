@@ -1,3 +1,4 @@
+import { madeOf } from "../../sim/finished.ts";
 import { REAL_AREA } from "../../kernel/real-area.ts";
 import { stockIssues } from "../../sim/issues.ts";
 import type { RunFinding } from "../../program/run-types.ts";
@@ -18,7 +19,9 @@ const MISSING = 0.01;
 /** A groove that is cut beside the wanted one is its fault within this, mm. */
 const ASIDE = 2;
 
-const FOUND = { rapidInStock: "rapid", holderContact: "holder", gouge: "gouge" } as const satisfies Record<StockFinding["kind"], RuleName>;
+const FOUND = { rapidInStock: "rapid", holderContact: "holder", gouge: "gouge" } as const satisfies Partial<
+  Record<StockFinding["kind"], RuleName>
+>;
 
 const ofFinding = (rule: RuleName, f: StockFinding): TaskMark => ({
   rule,
@@ -98,7 +101,7 @@ function unprovedMarks({ run, simulation }: Answer): TaskMark[] {
 
 /** The made part beside the wanted one. */
 function partMarks(task: Task, wanted: WantedPart, answer: Answer): TaskMark[] {
-  const { run, simulation: { final } } = answer;
+  const { run, simulation } = answer, final = madeOf(simulation);
   const [lacks, adds] = [beyond(wanted.blank, run.blank), beyond(run.blank, wanted.blank)];
   const other = [...lacks, ...adds];
   const isOther = run.blank.length === 0 || areaOf(lacks) + areaOf(adds) > REAL_AREA;

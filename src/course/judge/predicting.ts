@@ -1,3 +1,4 @@
+import { madeOf } from "../../sim/finished.ts";
 import { areaOf } from "../../kernel/area.ts";
 import { part, type Pt, type Ring } from "../../kernel/point.ts";
 import { ROUND } from "../../kernel/tolerance.ts";
@@ -47,13 +48,13 @@ const placeOf = (rings: readonly Ring[]): Truth => {
 
 /** What stays beside the wanted part, or without one what the operations should have taken. */
 function residue({ part: wanted }: Pick<Task, "part">, { simulation }: Answer, operation?: number): readonly Ring[] {
-  if (wanted && operation === undefined) return beyond(simulation.final, wantedPart(wanted).rings);
+  if (wanted && operation === undefined) return beyond(madeOf(simulation), wantedPart(wanted).rings);
   return simulation.proof.residual.filter((r) => operation === undefined || r.operation === operation).map((r) => r.ring);
 }
 
 /** What is missing from the wanted part, or without one what was cut from the contours of the cycles. */
 function missing({ part: wanted }: Pick<Task, "part">, { simulation }: Answer): readonly Ring[] {
-  if (wanted) return beyond(wantedPart(wanted).solid, simulation.final);
+  if (wanted) return beyond(wantedPart(wanted).solid, madeOf(simulation));
   return simulation.findings.flatMap((f) => (f.kind === "gouge" ? f.rings : []));
 }
 
@@ -76,7 +77,7 @@ export function truthOf(prediction: Prediction, task: Pick<Task, "part">, answer
     case "diameter":
     case "bore":
     case "face":
-      return number(sizeOn(simulation.final, prediction.ask, prediction.at)?.value);
+      return number(sizeOn(madeOf(simulation), prediction.ask, prediction.at)?.value);
     case "residuePlace":
       return placeOf(residue(task, answer));
     case "gougePlace":

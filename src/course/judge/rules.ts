@@ -1,3 +1,4 @@
+import { madeOf } from "../../sim/finished.ts";
 import { REAL_AREA } from "../../kernel/real-area.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { parse } from "../../nc/parse.ts";
@@ -105,7 +106,7 @@ function passes(limit: number, { run }: Answer): TaskMark[] {
 
 /** The roughest stretch of the made surface between two Z. A stretch that no feed a turn is known of is too rough. */
 function rz(asked: NonNullable<TaskRules["rz"]>, { run, simulation }: Answer): TaskMark[] {
-  const all = roughnessOf(simulation.final, run.steps, run.spindles);
+  const all = roughnessOf(madeOf(simulation), run.steps, run.spindles);
   return asked.map(({ from, to, most }, entry): TaskMark => {
     const [low, high] = [Math.min(from, to), Math.max(from, to)];
     const inside = all.filter(({ points, rz: height, by }) => {

@@ -1,3 +1,4 @@
+import { madeOf } from "../../sim/finished.ts";
 import { at, type Pt, type Ring } from "../../kernel/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
@@ -32,7 +33,7 @@ function between({ kind, nominal, at: where }: TaskSize, { z, r }: Pt): Ring {
 /** Whether each size of the made part lies within its limits. */
 export function sizeMarks(sizes: readonly TaskSize[], answer: Answer): TaskMark[] {
   return sizes.map((size, index) => {
-    const found = sizeOn(answer.simulation.final, size.kind, size.at);
+    const found = sizeOn(madeOf(answer.simulation), size.kind, size.at);
     if (!found) return { rule: "size", passed: false, size: index };
     const off = found.value - size.nominal;
     const passed = off >= size.lower - SAME && off <= size.upper + SAME;

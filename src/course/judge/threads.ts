@@ -1,3 +1,4 @@
+import { madeOf } from "../../sim/finished.ts";
 import { at, type Ring } from "../../kernel/point.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
 import { scanCrossings } from "../../sim/scan.ts";
@@ -54,7 +55,7 @@ function groovesOf(stock: readonly Ring[], { from, to, crest, root }: WantedThre
 export function threadMarks(threads: readonly WantedThread[], { run, simulation }: Answer): TaskMark[] {
   return threads.map((thread, entry): TaskMark => {
     const { from, to, crest, pitch, name } = thread;
-    const { middles, depth } = groovesOf(simulation.final, thread, Math.floor(MOST_LINES / threads.length));
+    const { middles, depth } = groovesOf(madeOf(simulation), thread, Math.floor(MOST_LINES / threads.length));
     const [first, last] = [middles[0] ?? 0, middles.at(-1) ?? 0];
     const ways = middles.slice(1).map((z, i) => z - (middles[i] ?? 0));
     // Where a chamfer begins a thread its first groove is wider than the others.

@@ -3,7 +3,7 @@ import { areaOf } from "../../kernel/area.ts";
 import { difference, intersection, union } from "../../kernel/clip.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import { parse } from "../../nc/parse.ts";
-import { machiningArea } from "../../sim/finished.ts";
+import { lessPlainCuts, machiningArea, madeOf } from "../../sim/finished.ts";
 import { calledTools } from "../judge/rules.ts";
 import { judge } from "../judge/judge.ts";
 import type { Answer, RuleName } from "../judge/judgement.ts";
@@ -65,10 +65,13 @@ export type PartSource = (typeof PART_SOURCES)[number];
 /** The outlines of what an answer makes; threads that are asked for are drawn by their crest. */
 export function outlinesFrom(answer: Answer, from: PartSource, threads: readonly ThreadDraft[]): Pick<MadeTask, "outside" | "bore"> {
   const { run, simulation } = answer;
+  const made = madeOf(simulation);
   const parts = from === "contours" ? union(run.operations.map(({ plan }) => plan.part)) : [];
-  const contours = parts.length > 0 ? intersection(run.blank, difference(parts, machiningArea(run.operations))) : [];
-  const grooves = threads.filter(({ on }) => on).map((thread) => grooveFilling(thread, simulation.final)).filter((ring) => ring.length > 2);
-  const shape = contours.length > 0 ? contours : simulation.final, rings = grooves.length > 0 ? union([...shape, ...grooves]) : shape;
+  const contours = parts.length > 0
+    ? lessPlainCuts(intersection(run.blank, difference(parts, machiningArea(run.operations))), simulation)
+    : [];
+  const grooves = threads.filter(({ on }) => on).map((thread) => grooveFilling(thread, made)).filter((ring) => ring.length > 2);
+  const shape = contours.length > 0 ? contours : made, rings = grooves.length > 0 ? union([...shape, ...grooves]) : shape;
   const { outside = [], bore = [] } = outlineText(rings, run.blank);
   return { outside: outside.join("\n"), bore: bore.join("\n") };
 }

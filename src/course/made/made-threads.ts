@@ -1,3 +1,4 @@
+import { madeOf } from "../../sim/finished.ts";
 import { boxAround } from "../../kernel/box.ts";
 import { areaOf } from "../../kernel/area.ts";
 import { at, type Ring, type Segment } from "../../kernel/point.ts";
@@ -73,7 +74,7 @@ const rough = (value: number): number => Math.round(value * 100) / 100;
  */
 export function threadsOf(answer: Answer): readonly ThreadDraft[] {
   const { run, simulation } = answer;
-  const body = boxAround([...simulation.final]);
+  const body = boxAround([...madeOf(simulation)]);
   const found = new Map<string, ThreadDraft>();
   for (const { plan } of run.operations) {
     const { thread, contour, openSide } = plan, first = contour[0], last = contour.at(-1);
@@ -84,7 +85,7 @@ export function threadsOf(answer: Answer): readonly ThreadDraft[] {
     if (halves.some(([under, over]) => Math.abs(under - low) > EVEN || Math.abs(over - high) > EVEN)) continue;
     const [nominal, root] = isInside ? [low, high] : [high, low];
     const [from, to] = [Math.min(first.from.z, body.right), Math.max(last.to.z, body.left)];
-    const crest = crestIn(simulation.final, [Math.min(from, to), Math.max(from, to)], isInside);
+    const crest = crestIn(madeOf(simulation), [Math.min(from, to), Math.max(from, to)], isInside);
     if (crest === null || Math.abs(from - to) < thread.pitch) continue;
     const across = (r: number) => rounded(toDiameter(radius(r)));
     const real = isInside ? Math.max(crest, nominal) : Math.min(crest, nominal);

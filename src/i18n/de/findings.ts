@@ -17,6 +17,7 @@ export const findings = {
   fix: "Berichtigen",
   insert: (text) => `${text} einfügen`,
   write: (text, block) => `${text} in Satz ${block} schreiben`,
+  meant: "Dieser Schnitt ist gewollt",
   remove: (text) => `${text} entfernen`,
   residue: {
     askCycle: "Welcher Zyklus nimmt es weg?",

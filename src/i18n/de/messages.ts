@@ -181,6 +181,28 @@ export const messages = {
     gouge: (d, w) => `Konturverletzung bei ${w.place(d.x, d.z)}: ${w.area(d.area)} des Fertigteils weggeschnitten.`,
     rapidInStock: (d, w) => `Eine Eilgangbewegung fährt bei ${w.place(d.x, d.z)} durch ${w.area(d.area)} Material.`,
     holderContact: (d, w) => `Der Halter berührt bei ${w.place(d.x, d.z)} das Material.`,
+    cutBelowContour: (d, w) =>
+      `Dieser Schnitt geht bei ${w.place(d.x, d.z)} um ${
+        w.area(d.area)
+      } unter die Kontur des Zyklus in Satz ${d.block}. Ist er gewollt, bestätigen Sie ihn.`,
+    cameLoose: (d, w) =>
+      `${{ piece: "Ein Stück", ring: "Ein Ring", slug: "Ein Butzen" }[d.shape]} von ${w.area(d.area)} bei ${
+        w.place(d.x, d.z)
+      } hängt nicht mehr ` + `mit dem gespannten Ende zusammen: Satz ${d.block} trennt es ab.`,
+    partedOff: (d, w) =>
+      `Das Stück bei ${w.place(d.x, d.z)}, ${w.area(d.area)}, wird in Satz ${d.block} abgestochen und verlässt das Bild.`,
+    cutOnLoosePiece: (d, w) =>
+      `Bei ${w.place(d.x, d.z)} würden ${
+        w.area(d.area)
+      } von einem Stück abgetragen, das Satz ${d.block} abgetrennt hat: nichts hält es mehr.`,
+    behindBlank: (d, w) =>
+      d.motion === "unheld"
+        ? `Außen wird bis zum hinteren Ende des Rohteils bei Z${
+          w.size(d.rear)
+        } gedreht: Zum Spannen bleibt nichts. Geben Sie die Spannung an, wenn es anders gehalten wird.`
+        : `${d.motion === "rapid" ? "Eine Eilgangbewegung fährt" : "Das Werkzeug schneidet"} hinter dem hinteren Ende des Rohteils bei Z${
+          w.size(d.rear)
+        }, bei ${w.place(d.x, d.z)}: Dort steht das Spannmittel.`,
     contactsUnlooked: (d) =>
       `${d.limit} Bewegungen verletzen die Kontur, fahren im Eilgang ins Material oder berühren es mit dem Halter: Ab hier wird `
       + "danach nicht mehr gesucht.",

@@ -18,6 +18,7 @@ export const findings = {
   fix: "Correct it",
   insert: (text: string) => `Insert ${text}`,
   write: (text: string, block: string) => `Write ${text} in block ${block}`,
+  meant: "This cut is meant",
   remove: (text: string) => `Remove ${text}`,
   residue: {
     askCycle: "Which cycle takes it away?",

@@ -170,6 +170,25 @@ export const messages = {
     gouge: (d, w) => `${w.area(d.area)} of the finished part are cut away at ${w.place(d.x, d.z)}.`,
     rapidInStock: (d, w) => `A rapid runs through ${w.area(d.area)} of material at ${w.place(d.x, d.z)}.`,
     holderContact: (d, w) => `The holder touches material at ${w.place(d.x, d.z)}.`,
+    cutBelowContour: (d, w) =>
+      `This cut goes ${w.area(d.area)} below the contour of the cycle in block ${d.block}, at ${
+        w.place(d.x, d.z)
+      }. If it is meant, say so.`,
+    cameLoose: (d, w) =>
+      `${{ piece: "A piece", ring: "A ring", slug: "A slug" }[d.shape]} of ${w.area(d.area)} at ${
+        w.place(d.x, d.z)
+      } no longer hangs together ` + `with the clamped end: block ${d.block} cuts it loose.`,
+    partedOff: (d, w) => `The piece at ${w.place(d.x, d.z)}, ${w.area(d.area)}, is parted off in block ${d.block} and leaves the picture.`,
+    cutOnLoosePiece: (d, w) =>
+      `${w.area(d.area)} would be cut at ${w.place(d.x, d.z)} from a piece that block ${d.block} has cut off: nothing holds it any more.`,
+    behindBlank: (d, w) =>
+      d.motion === "unheld"
+        ? `The outside is turned up to the rear end of the blank at Z${
+          w.size(d.rear)
+        }: nothing is left to hold. State the clamping if it is held elsewhere.`
+        : `${d.motion === "rapid" ? "A rapid runs" : "The tool cuts"} behind the rear end of the blank at Z${w.size(d.rear)}, at ${
+          w.place(d.x, d.z)
+        }: what holds the work stands there.`,
     contactsUnlooked: (d) =>
       `${d.limit} moves cut the part, ran into material or touched it with the holder: from here on moves were not looked at for that.`,
     deeperThanInfeed: (d, w) =>

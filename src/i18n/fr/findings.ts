@@ -17,6 +17,7 @@ export const findings = {
   fix: "Corriger",
   insert: (text) => `Insérer ${text}`,
   write: (text, block) => `Écrire ${text} dans la séquence ${block}`,
+  meant: "Cette passe est voulue",
   remove: (text) => `Supprimer ${text}`,
   residue: {
     askCycle: "Quel cycle l’enlève ?",

@@ -178,6 +178,27 @@ export const messages = {
     gouge: (d, w) => `${w.area(d.area)} de la pièce finie sont enlevés en ${w.place(d.x, d.z)}.`,
     rapidInStock: (d, w) => `Un rapide traverse ${w.area(d.area)} de matière en ${w.place(d.x, d.z)}.`,
     holderContact: (d, w) => `Le porte-outil touche la matière en ${w.place(d.x, d.z)}.`,
+    cutBelowContour: (d, w) =>
+      `Cette passe descend de ${w.area(d.area)} sous le contour du cycle de la séquence ${d.block}, en ${
+        w.place(d.x, d.z)
+      }. Si elle est voulue, confirmez-la.`,
+    cameLoose: (d, w) =>
+      `${{ piece: "Un morceau", ring: "Un anneau", slug: "Une débouchure" }[d.shape]} de ${w.area(d.area)} en ${
+        w.place(d.x, d.z)
+      } n'est plus relié ` + `à l'extrémité serrée : la séquence ${d.block} le détache.`,
+    partedOff: (d, w) => `La pièce en ${w.place(d.x, d.z)}, ${w.area(d.area)}, est tronçonnée à la séquence ${d.block} et quitte l'image.`,
+    cutOnLoosePiece: (d, w) =>
+      `En ${w.place(d.x, d.z)}, ${
+        w.area(d.area)
+      } seraient usinés sur un morceau détaché par la séquence ${d.block} : plus rien ne le tient.`,
+    behindBlank: (d, w) =>
+      d.motion === "unheld"
+        ? `L'extérieur est tourné jusqu'à l'extrémité arrière de la pièce brute en Z${
+          w.size(d.rear)
+        } : il ne reste rien à serrer. Indiquez le serrage si elle est tenue autrement.`
+        : `${d.motion === "rapid" ? "Un rapide passe" : "L'outil usine"} derrière l'extrémité arrière de la pièce brute en Z${
+          w.size(d.rear)
+        }, en ${w.place(d.x, d.z)} : le moyen de serrage s'y trouve.`,
     contactsUnlooked: (d) =>
       `${d.limit} déplacements entament la pièce, entrent en rapide dans la matière ou la touchent avec le porte-outil : à `
       + "partir d’ici, cela n’a plus été recherché.",

@@ -17,6 +17,7 @@ export const findings = {
   fix: "改正",
   insert: (text) => `插入 ${text}`,
   write: (text, block) => `在程序段 ${block} 写入 ${text}`,
+  meant: "此切削是有意的",
   remove: (text) => `删除 ${text}`,
   residue: {
     askCycle: "哪个循环能切除它？",

@@ -130,6 +130,17 @@ export const messages = {
     gouge: (d, w) => `${w.place(d.x, d.z)}处成品工件被切掉${w.area(d.area)}。`,
     rapidInStock: (d, w) => `快移在${w.place(d.x, d.z)}处穿过${w.area(d.area)}材料。`,
     holderContact: (d, w) => `刀杆在${w.place(d.x, d.z)}处碰到材料。`,
+    cutBelowContour: (d, w) => `此切削在${w.place(d.x, d.z)}处低于程序段${d.block}中循环的轮廓${w.area(d.area)}。如果是有意的，请确认。`,
+    cameLoose: (d, w) =>
+      `${w.place(d.x, d.z)}处的${{ piece: "一段工件", ring: "一个环", slug: "一个料芯" }[d.shape]}（${
+        w.area(d.area)
+      }）不再与夹持端相连：程序段${d.block}将其切下。`,
+    partedOff: (d, w) => `${w.place(d.x, d.z)}处的工件（${w.area(d.area)}）在程序段${d.block}切断，并从图中移除。`,
+    cutOnLoosePiece: (d, w) => `${w.place(d.x, d.z)}处将切削${w.area(d.area)}，但该段已被程序段${d.block}切下：没有任何夹持。`,
+    behindBlank: (d, w) =>
+      d.motion === "unheld"
+        ? `外圆一直车到毛坯后端Z${w.size(d.rear)}：没有可夹持的部分。如果以其他方式夹持，请说明夹持方式。`
+        : `${d.motion === "rapid" ? "快移" : "刀具切削"}进入毛坯后端Z${w.size(d.rear)}之后，位于${w.place(d.x, d.z)}：那里是夹具。`,
     contactsUnlooked: (d) => `已有${d.limit}个运动伤及工件、快移进入材料或以刀杆触碰材料：从此处起不再检查。`,
     deeperThanInfeed: (d, w) =>
       "" + (d.pass === undefined ? "一次平滑或精加工" : `第${w.number(d.pass)}刀`)

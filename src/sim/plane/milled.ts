@@ -6,7 +6,7 @@ import { real } from "../../kernel/real-area.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { inStock } from "../contact.ts";
 import { cutting, type Cutting } from "../cutting.ts";
-import { marksOf, type StockMarks } from "../marks.ts";
+import { isGiven, marksOf, type StockMarks } from "../marks.ts";
 import type { Checkpoint, PlayPosition } from "../simulation.ts";
 import { heightsOf, standingAbove, type MilledBody } from "./body.ts";
 import { heightLimits, toldHeights, type ToldHeights } from "./depths.ts";
@@ -102,8 +102,8 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
       const own = standingOn(body, limit, heights), had = before?.[i];
       return had ? intersection(had, own) : own;
     });
-  const begin = (areas: readonly (readonly Ring[])[], step: number, isStated: boolean) => {
-    layers.forEach(({ marks }, i) => marks.add(step, areas[i] ?? [], isStated));
+  const begin = (areas: readonly (readonly Ring[])[], step: number, given?: "isStated") => {
+    layers.forEach(({ marks }, i) => marks.add(step, areas[i] ?? [], given));
     marked = step;
     return areas.map(cutting);
   };
@@ -123,9 +123,9 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
 
   function cut(): void {
     const body = bodyAt.get(next), m = motions[next];
-    if (body) cuts = begin(taken(body.body, next === 0 ? null : cuts.map((c) => c.stock())), next, true);
+    if (body) cuts = begin(taken(body.body, next === 0 ? null : cuts.map((c) => c.stock())), next, "isStated");
     else if (next - marked >= MARK.motions || cuts.some((c) => c.pieces >= MARK.pieces))
-      cuts = begin(cuts.map((c) => c.stock()), next, false);
+      cuts = begin(cuts.map((c) => c.stock()), next);
     if (m) {
       look(m, next);
       limits.forEach((limit, i) => {
@@ -186,7 +186,7 @@ function layerPlayer(
       now.next += 1;
       const begun: Checkpoint | undefined = marks[now.mark + 1];
       if (begun?.step === now.next)
-        now = { mark: now.mark + 1, next: now.next, cut: cutting(begun.isStated ? unpacked(begun.stock ?? []) : now.cut.stock()) };
+        now = { mark: now.mark + 1, next: now.next, cut: cutting(isGiven(begun) ? unpacked(begun.stock ?? []) : now.cut.stock()) };
     }
     return areaOf(now.cut);
   };

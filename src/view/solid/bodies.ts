@@ -1,8 +1,8 @@
 import { areaOf } from "../../kernel/area.ts";
 import { difference, intersection, offset, simplified, union, unpacked } from "../../kernel/clip.ts";
 import type { Ring } from "../../kernel/point.ts";
-import { CHORD, SLIVER } from "../../kernel/tolerance.ts";
-import { machiningArea } from "../../sim/finished.ts";
+import { SLIVER } from "../../kernel/tolerance.ts";
+import { lessPlainCuts, machiningArea, madeOf } from "../../sim/finished.ts";
 import type { PlayPosition, SimulatedOperation, Simulation } from "../../sim/simulation.ts";
 
 /** What of the stock is shown in which colour, as areas of the half plane that do not overlap. */
@@ -52,9 +52,6 @@ function dividedBy(
 export const statedSteps = ({ checkpoints }: Pick<Simulation, "checkpoints">): readonly number[] =>
   checkpoints.flatMap(({ isStated, step }) => (isStated ? [step] : []));
 
-/** Material that is missing by less than this is the chord error of both sides, mm. */
-const MISSING = 2 * SLIVER;
-
 /**
  * The finished part as it should come off the machine: the blank less what the operations together take away, and less what moves outside
  * of them took. A blank that is stated later counts from its step on. Empty where there is no blank or nothing takes anything away.
@@ -62,10 +59,7 @@ const MISSING = 2 * SLIVER;
 export function finishedBody(simulation: Simulation, operations: readonly SimulatedOperation[]): readonly Ring[] {
   const { blank, last } = lastHeld(simulation, operations);
   if (blank.length === 0 || last.length === 0) return [];
-  const ideal = difference(blank, machiningArea(last));
-  const kept = union([...simulation.final, ...simulation.findings.flatMap((f) => offset(f.rings, MISSING))]);
-  const gone = offset(difference(ideal, kept), -MISSING / 2);
-  return gone.length === 0 ? ideal : difference(ideal, offset(gone, MISSING / 2 + CHORD));
+  return lessPlainCuts(difference(blank, machiningArea(last)), simulation);
 }
 
 /**
@@ -74,7 +68,8 @@ export function finishedBody(simulation: Simulation, operations: readonly Simula
  */
 export function leftBody(simulation: Simulation): readonly Ring[] {
   const { blank } = lastHeld(simulation, []);
-  return areaOf(blank) - areaOf(simulation.final) > SLIVER ? simulation.final : [];
+  const made = madeOf(simulation);
+  return areaOf(blank) - areaOf(made) > SLIVER ? made : [];
 }
 
 /** The blank that is in the chuck at the end, and what is done to it. */

@@ -1,3 +1,4 @@
+import { madeOf } from "../../../sim/finished.ts";
 import { useMemo, useRef } from "react";
 import { createPortal } from "react-dom";
 import { drawnProgram } from "../../../course/printed-program.ts";
@@ -20,7 +21,7 @@ import "./drawing.css";
 function drawnOf(outcome: Outcome, known: Task | null) {
   const { run, simulation } = outcome;
   const wanted = finishedBody(simulation, run.operations);
-  return drawnProgram(outcome, isBody(wanted) ? wanted : simulation.final, known);
+  return drawnProgram(outcome, isBody(wanted) ? wanted : madeOf(simulation), known);
 }
 
 /** Why there is no drawing, in its place. */

@@ -1,0 +1,161 @@
+import { areaOf, areaOfRing } from "../kernel/area.ts";
+import { boxAround } from "../kernel/box.ts";
+import { intersection, offset, union } from "../kernel/clip.ts";
+import { isBar } from "../kernel/insert.ts";
+import type { Ring } from "../kernel/point.ts";
+import { REAL_AREA, real } from "../kernel/real-area.ts";
+import type { Step } from "../kernel/step.ts";
+import { SAME } from "../kernel/tolerance.ts";
+import { sidesOf, type Edges } from "./edges.ts";
+import { largest, placeIn, regionsOf, type Region } from "./region.ts";
+import type { AnyFinding, LoosePiece, LooseShape } from "./simulation.ts";
+
+/** The blank's rear plane and its largest radius, mm; null where there is no blank. */
+export interface RearEnd {
+  readonly z: number;
+  readonly outside: number;
+}
+
+/** Where a blank ends that is held there. */
+export function rearOf(blank: readonly Ring[]): RearEnd | null {
+  if (areaOf(blank) < REAL_AREA) return null;
+  const { left, high } = boxAround(blank);
+  return { z: left, outside: high };
+}
+
+const ringsOf = (regions: readonly Region[]): Ring[] => regions.flatMap(({ outline, holes }) => [outline, ...holes]);
+
+/** What hangs together with the rear end, and what does not any more, before a step. */
+export interface Parted {
+  readonly step: number;
+  readonly held: readonly Ring[];
+  readonly loose: readonly Region[];
+}
+
+/**
+ * Parts a stock into what is held at its rear end and what is loose; null where all of it hangs together. Where nothing reaches the rear
+ * end any more, the piece that reaches farthest back is held.
+ */
+export function brokenApart(stock: readonly Ring[], rear: RearEnd, step: number): Parted | null {
+  if (stock.filter((ring) => areaOfRing(ring) > 0).length < 2) return null;
+  const regions = regionsOf(stock, 0);
+  const back = ({ outline }: Region) => boxAround([outline]).left;
+  const farthest = Math.max(rear.z, Math.min(...regions.map(back)));
+  const isHeld = (region: Region) => back(region) <= farthest + SAME;
+  const loose = regions.filter((region) => !isHeld(region));
+  if (!loose.some(({ area }) => area >= REAL_AREA)) return null;
+  return { step, held: ringsOf(regions.filter(isHeld)), loose };
+}
+
+function shapeOf({ outline }: Region, held: readonly Ring[]): LooseShape {
+  const [own, stays] = [boxAround([outline]), boxAround(held)];
+  if (own.left >= stays.right - SAME) return "piece";
+  // Where both stand side by side along Z, the one farther from the axis is round the other.
+  const beside = held.flat().filter((p) => p.z >= own.left && p.z <= own.right);
+  const high = Math.max(...beside.map((p) => p.r));
+  if (own.low <= SAME && !(high > own.high)) return "piece";
+  return own.high > high ? "ring" : "slug";
+}
+
+/** The pieces that came loose; crumbs leave unnamed. */
+export function loosePieces({ step, held, loose }: Parted, steps: readonly Step[]): LoosePiece[] {
+  const by = steps[step - 1];
+  return loose.flatMap((region) => {
+    const rings = ringsOf([region]);
+    if (!by || region.area < REAL_AREA) return [];
+    const shape = shapeOf(region, held);
+    return [{
+      step,
+      block: by.block,
+      operation: by.operation,
+      shape,
+      isPartedOff: shape === "piece" && (isBar(by.tool) || by.operation === null),
+      rings,
+      area: region.area,
+      place: placeIn(region.outline),
+    }];
+  });
+}
+
+/** How deep below its surface a piece is cut at least, mm. */
+const SKIN = 0.05;
+
+/** What has come off, to ask what meets it. */
+export interface Loose {
+  readonly rings: readonly Ring[];
+  readonly edges: Edges;
+  /** Without its skin: a tip that runs there cuts, one that runs along the outside does not. */
+  readonly inside: readonly Ring[];
+}
+
+/** Where a run's work is held, and what has come off it. */
+export interface Holding {
+  rear(): RearEnd | null;
+  /** The blank as it was stated. */
+  blank(): readonly Ring[];
+  loose(): Loose | null;
+  /** Looks at what still hangs together before a step; null: all of it. */
+  look(step: number, stock: readonly Ring[]): Parted | null;
+  /** Another blank is stated. */
+  change(blank: readonly Ring[]): void;
+  /** Each time that something came off. */
+  parted(): readonly Parted[];
+}
+
+/** Begins to hold a blank at its rear end; `before` is what came off in the steps that are not looked at again. */
+export function holding(blank: readonly Ring[], before: readonly Parted[]): Holding {
+  let [now, rear] = [blank, rearOf(blank)];
+  const parted = [...before];
+  let since = 0;
+  let known: { readonly count: number; readonly loose: Loose } | null = null;
+  return {
+    rear: () => rear,
+    blank: () => now,
+    loose() {
+      const fallen = parted.slice(since);
+      if (fallen.length === 0) return null;
+      if (known?.count !== parted.length) {
+        const rings = union(fallen.flatMap(({ loose }) => ringsOf(loose)));
+        known = { count: parted.length, loose: { rings, edges: sidesOf(rings), inside: offset(rings, -SKIN) } };
+      }
+      return known.loose;
+    },
+    look(step, stock) {
+      const found = rear && brokenApart(stock, rear, step);
+      if (found) parted.push(found);
+      return found;
+    },
+    change(next) {
+      [now, rear, since, known] = [next, rearOf(next), parted.length, null];
+    },
+    parted: () => parted,
+  };
+}
+
+/** The pieces in front of what is held, as areas: a part that is cut off the bar. */
+export const partsOff = ({ held, loose }: Parted): Ring[] => ringsOf(loose.filter((region) => shapeOf(region, held) === "piece"));
+
+/** Less of a ring or slug than this part of it is left where a cut takes it away whole: nobody wants to turn it. */
+const TAKEN_WHOLE = 0.1;
+
+/**
+ * A cut on loose pieces as far as it is one: the area that it would have taken of them. A ring or a slug that it would have taken whole is
+ * what earlier cuts left standing.
+ */
+export function onLoosePieces(finding: AnyFinding, pieces: readonly LoosePiece[]): AnyFinding[] {
+  const met = pieces.filter(({ step }) => step <= finding.step).flatMap((piece) => {
+    const taken = real(intersection(finding.rings, piece.rings));
+    const isWhole = piece.shape !== "piece" && areaOf(taken) > (1 - TAKEN_WHOLE) * piece.area;
+    return isWhole || taken.length === 0 ? [] : [{ taken, by: piece.block }];
+  });
+  const [first] = met;
+  if (!first) return [];
+  const rings = met.flatMap(({ taken }) => taken);
+  return [{ ...finding, rings, area: areaOf(rings), place: placeIn(largest(rings)), other: first.by }];
+}
+
+/** Whether a cut ends before a step: an operation, a run of feed moves outside cycles, or of rapids, which may run into material. */
+export function cutEnds(steps: readonly Step[], index: number): boolean {
+  const cutOf = (step: Step | undefined) => step && (step.operation ?? step.move.kind === "rapid");
+  return index > 0 && cutOf(steps[index - 1]) !== cutOf(steps[index]);
+}

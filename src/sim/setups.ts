@@ -1,0 +1,47 @@
+import type { Ring } from "../kernel/point.ts";
+import type { Finished } from "./check.ts";
+import { sidesOf } from "./edges.ts";
+import { finishedPart } from "./finished.ts";
+import { contourSurfaces } from "./plain-cut.ts";
+import type { Residual, SimulatedOperation } from "./simulation.ts";
+
+/**
+ * The work as it is held: what an outline that is stated later takes the place of is judged as it stood until then, and the contours
+ * of before say nothing of what comes behind.
+ */
+export function setupsOf(
+  operations: readonly SimulatedOperation[],
+  residual: (stock: readonly Ring[], of: readonly SimulatedOperation[]) => readonly Residual[],
+) {
+  const left: Residual[] = [];
+  let first = 0;
+  const known = (from: number): Finished => {
+    const rings = finishedPart(operations.slice(from));
+    return { rings, edges: sidesOf(rings), surfaces: contourSurfaces(operations.slice(from), from) };
+  };
+  const begunBefore = (step: number): number => {
+    const next = operations.findIndex((o) => o.firstStep >= step);
+    return next < 0 ? operations.length : next;
+  };
+  const atFirst = known(0);
+  let finished = atFirst;
+  const until = (stock: readonly Ring[], end: number): Residual[] =>
+    residual(stock, operations.slice(first, end)).map((r) => ({ ...r, operation: r.operation + first }));
+  return {
+    atFirst,
+    begunBefore,
+    finished: () => finished,
+    surfaces: contourSurfaces(operations, 0),
+    /** Pieces that are parted off take with them what the operations so far have left on them. */
+    partOff(pieces: readonly Ring[], step: number): void {
+      left.push(...until(pieces, begunBefore(step)));
+    },
+    change(stock: readonly Ring[], step: number): void {
+      const end = begunBefore(step);
+      left.push(...until(stock, end));
+      first = end;
+      finished = known(first);
+    },
+    residual: (stock: readonly Ring[]): readonly Residual[] => [...left, ...until(stock, operations.length)],
+  };
+}

@@ -1,0 +1,37 @@
+; expect: cutBelowContour -gouge
+0 BEGIN PGM CASE MM
+1 BLK FORM CYLINDER Z D40 L100 DIST+0
+2 FUNCTION MODE TURN
+3 TOOL CALL 1
+4 FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500
+5 M136
+6 L X+200 Z+100 R0 FMAX M303
+7 CYCL DEF 812 SHOULDER, LONG. EXT. ~
+    Q215=+0 ;P ~
+    Q460=+2 ;P ~
+    Q491=+40 ;P ~
+    Q492=+0 ;P ~
+    Q493=+30 ;P ~
+    Q494=-30 ;P ~
+    Q495=+0 ;P ~
+    Q501=+0 ;P ~
+    Q502=+0 ;P ~
+    Q500=+0.8 ;P ~
+    Q496=+0 ;P ~
+    Q503=+0 ;P ~
+    Q504=+0 ;P ~
+    Q463=+2.5 ;P ~
+    Q478=+0.3 ;P ~
+    Q483=+0.4 ;P ~
+    Q484=+0.2 ;P ~
+    Q505=+0.2 ;P ~
+    Q506=+0 ;P
+8 L X+40 Z+2 FMAX
+9 CYCL CALL
+10 L X+29 Z+2 FMAX
+11 L Z-20 F0.2
+12 L X+60 FMAX
+13 L X+200 FMAX
+14 L Z+100 FMAX
+15 M30
+16 END PGM CASE MM

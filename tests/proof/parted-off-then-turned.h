@@ -1,0 +1,57 @@
+; expect: cutOnLoosePiece partedOff -cameLoose verdict=faults
+0 BEGIN PGM CASE MM
+1 BLK FORM CYLINDER Z D40 L100 DIST+0
+2 FUNCTION MODE TURN
+3 TOOL CALL 9
+4 FUNCTION TURNDATA SPIN VCONST:ON VC:100 SMAX1200
+5 M136
+6 L X+200 Z+100 R0 FMAX M303
+7 CYCL DEF 861 SIMPLE RECESS, RADL. ~
+    Q215=+1 ;P ~
+    Q460=+2 ;P ~
+    Q493=+0 ;P ~
+    Q494=-53 ;P ~
+    Q478=+0.08 ;P ~
+    Q483=+0 ;P ~
+    Q484=+0 ;P ~
+    Q505=+0.2 ;P ~
+    Q463=+0 ;P ~
+    Q510=+0.8 ;P ~
+    Q511=+100 ;P ~
+    Q462=+0 ;P ~
+    Q211=+0 ;P ~
+    Q562=+0 ;P
+8 L X+44 Z-50 FMAX
+9 CYCL CALL
+10 L X+200 FMAX
+11 L Z+100 FMAX
+12 TOOL CALL 1
+13 FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500
+14 M136
+15 L X+200 Z+100 R0 FMAX M303
+16 CYCL DEF 812 SHOULDER, LONG. EXT. ~
+    Q215=+0 ;P ~
+    Q460=+2 ;P ~
+    Q491=+40 ;P ~
+    Q492=+0 ;P ~
+    Q493=+30 ;P ~
+    Q494=-40 ;P ~
+    Q495=+0 ;P ~
+    Q501=+0 ;P ~
+    Q502=+0 ;P ~
+    Q500=+0.8 ;P ~
+    Q496=+0 ;P ~
+    Q503=+0 ;P ~
+    Q504=+0 ;P ~
+    Q463=+2.5 ;P ~
+    Q478=+0.3 ;P ~
+    Q483=+0.4 ;P ~
+    Q484=+0.2 ;P ~
+    Q505=+0.2 ;P ~
+    Q506=+0 ;P
+17 L X+40 Z+2 FMAX
+18 CYCL CALL
+19 L X+200 FMAX
+20 L Z+100 FMAX
+21 M30
+22 END PGM CASE MM
