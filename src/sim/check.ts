@@ -1,7 +1,7 @@
 import { areaOf } from "../kernel/area.ts";
 import { difference, intersection } from "../kernel/clip.ts";
 import { isDrill } from "../kernel/drill.ts";
-import { at, type Ring } from "../kernel/point.ts";
+import type { Ring } from "../kernel/point.ts";
 import { real } from "../kernel/real-area.ts";
 import type { Step } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
@@ -10,11 +10,12 @@ import { near, type Cutting } from "./cutting.ts";
 import { behind } from "./behind.ts";
 import type { Edges } from "./edges.ts";
 import type { Loose, RearEnd } from "./held.ts";
+import { worksOn } from "./on-loose.ts";
 import { holderHits } from "./holder.ts";
 import type { Outlines } from "./outlines.ts";
 import { isPlainCut, judgePlainCut, type Surface } from "./plain-cut.ts";
 import { largest, placeIn } from "./region.ts";
-import type { AnyFinding } from "./simulation.ts";
+import type { AnyFinding, SimulatedOperation } from "./simulation.ts";
 import { sweptBy, type Sweep } from "./sweep.ts";
 
 /** Moves that do damage, after which damage is no longer looked for: looking costs far more where there is some. */
@@ -35,11 +36,8 @@ export interface Against {
   /** What has come off and is no longer there. */
   readonly loose: Loose | null;
   readonly outlines: (tool: Tool) => Outlines;
+  readonly operations: readonly SimulatedOperation[];
 }
-
-/** The tip of a tool, as a spot of this size, mm: the insert behind it may stand where a piece was. */
-const SPOT: Ring = [at(-0.02, -0.02), at(0.02, -0.02), at(0.02, 0.02), at(-0.02, 0.02)];
-const tipRunsIn = (area: readonly Ring[], step: Step): boolean => real(intersection(area, sweptBy(SPOT, step).rings)).length > 0;
 
 /** The tool stands where a rapid has brought it: what it meets there the rapid has run into. */
 const broughtTo = (step: Step): Step => ({ ...step, move: { kind: "rapid", phase: "position", run: "rough", step: 0, to: step.from } });
@@ -86,7 +84,7 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
   report("holderContact", sure(holderHits(step, outlines, now)));
   if (rear)
     report(step.move.kind === "rapid" ? "rapidBehindBlank" : "feedBehindBlank", behind(sweep, rear), { ...step, rear: rear.z });
-  if (loose && step.move.kind !== "rapid" && sweep.pieces.some((p) => loose.edges.meets(p)) && tipRunsIn(loose.inside, step))
+  if (loose && step.move.kind !== "rapid" && sweep.pieces.some((p) => loose.edges.meets(p)) && worksOn(loose, index, cut, against))
     report("cutOnLoosePiece", real(intersection(loose.rings, sweep.rings)));
   return found;
 }

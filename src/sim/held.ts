@@ -93,7 +93,8 @@ export interface Holding {
   rear(): RearEnd | null;
   /** The blank as it was stated. */
   blank(): readonly Ring[];
-  loose(): Loose | null;
+  /** What has come off before a step. */
+  loose(step: number): Loose | null;
   /** Looks at what still hangs together before a step; null: all of it. */
   look(step: number, stock: readonly Ring[]): Parted | null;
   /** Another blank is stated. */
@@ -111,12 +112,12 @@ export function holding(blank: readonly Ring[], before: readonly Parted[]): Hold
   return {
     rear: () => rear,
     blank: () => now,
-    loose() {
-      const fallen = parted.slice(since);
+    loose(step) {
+      const fallen = parted.slice(since).filter((each) => each.step <= step);
       if (fallen.length === 0) return null;
-      if (known?.count !== parted.length) {
+      if (known?.count !== fallen.length) {
         const rings = union(fallen.flatMap(({ loose }) => ringsOf(loose)));
-        known = { count: parted.length, loose: { rings, edges: sidesOf(rings), inside: offset(rings, -SKIN) } };
+        known = { count: fallen.length, loose: { rings, edges: sidesOf(rings), inside: offset(rings, -SKIN) } };
       }
       return known.loose;
     },

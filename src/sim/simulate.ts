@@ -17,8 +17,7 @@ import { recalling } from "./recall.ts";
 import { setupsOf } from "./setups.ts";
 import { residualAgain, residualOf, type KnownShapes } from "./residual.ts";
 import { nearestRun, resumed, snapshotSteps, type Former, type Resumed } from "./resume.ts";
-import type { AnyFinding, Depth, LoosePiece, StockFinding, StockRemark, Proof, SimulatedOperation, Simulation, SimulationInput,
-  Unheld } from "./simulation.ts";
+import type { AnyFinding, Depth, LoosePiece, StockFinding, StockRemark, Proof, Simulation, SimulationInput, Unheld } from "./simulation.ts";
 import { statedBlanks } from "./stated.ts";
 import { sweptBy, type Sweep } from "./sweep.ts";
 
@@ -155,13 +154,14 @@ function simulated(
   const { blank, steps, operations, unproved } = input;
   const outlines = outlinesOf();
   const setups = setupsOf(operations, (stock, of) => residual(stock, of, { outlines, thickness }));
+  const always = { steps, operations, outlines };
   const look: Look = (step, index) => {
     const shapes = outlines(step.tool);
     const sweep = sweptBy(shapes.insert, step);
     const touching = shapes.checked === shapes.insert ? sweep : sweptBy(shapes.checked, step);
     return {
       sweep,
-      check: (cut) => check(index, touching, cut, { steps, finished: setups.finished(), rear: held.rear(), loose: held.loose(), outlines }),
+      check: (cut) => check(index, touching, cut, { ...always, finished: setups.finished(), rear: held.rear(), loose: held.loose(index) }),
     };
   };
   const resume = former && resumed(former, input, setups.atFirst, outlines);
@@ -182,8 +182,8 @@ function simulated(
   const statements = statedBlanks(input.stated ?? []);
   for (const parted of held.parted()) setups.partOff(partsOff(parted), parted.step);
   const unheld: Omit<Unheld, "block">[] = [];
-  /** The last cut, and whether anything was cut since it was last looked at what hangs together. */
-  let [lastCut, isWhole] = [-1, false];
+  /** Whether nothing was cut since it was last looked at what hangs together. */
+  let isWhole = false;
 
   /** What a cut that has ended leaves hanging together. */
   function lookWhole(i: number, isReplaced: boolean): void {
@@ -197,10 +197,11 @@ function simulated(
     marks.add(i, parted.held, "isParted");
   }
   /** Whether something is left to hold, before another blank takes its place or at the end. */
-  function lookHeld(stock: readonly Ring[], of: readonly SimulatedOperation[]): void {
-    const rear = held.rear(), place = lastCut < 0 ? null : unheldAt(held.blank(), stock, rear);
-    if (!rear || !place) return;
-    const operation = cutsAtRear(of, rear);
+  function lookHeld(stock: readonly Ring[], end: number): void {
+    const rear = held.rear(), place = unheldAt(held.blank(), stock, rear);
+    const lastCut = place ? steps.findLastIndex(({ move }, k) => k < end && move.kind !== "rapid") : -1;
+    if (!rear || !place || lastCut < 0) return;
+    const operation = cutsAtRear(operations.slice(0, setups.begunBefore(end)), rear);
     unheld.push({ step: operation === null ? lastCut : (operations[operation]?.firstStep ?? 0), operation, place, rear: rear.z });
   }
   for (let i = from?.step ?? 0; i < steps.length; i += 1) {
@@ -212,7 +213,7 @@ function simulated(
     const now = statements.at(i, at.present().cut);
     lookWhole(i, now !== null);
     if (now) {
-      lookHeld(at.present().cut.stock(), operations.slice(0, setups.begunBefore(i)));
+      lookHeld(at.present().cut.stock(), i);
       setups.change(at.present().cut.stock(), i);
       held.change(now);
       at.begin(i, now);
@@ -227,7 +228,6 @@ function simulated(
     } else unlooked ??= { step: i, block: step.block };
     measure.add(step, i, sweep, outlines(step.tool), cut);
     if (step.move.kind === "rapid" && !unlooked) byRapids += areaOf(inStock([sweep], cut.present()));
-    if (step.move.kind !== "rapid") lastCut = i;
     isWhole &&= near(sweep, cut.present().meets).length === 0;
     cut.add(sweep);
   }
@@ -235,7 +235,7 @@ function simulated(
   const { cut, marked } = at.present();
   if (steps.length > (from?.step ?? 0))
     snapshots.push({ step: steps.length, cut: cut.copy(), marked, marks: marks.all().length, byRapids, measure: measure.state(null) });
-  lookHeld(cut.stock(), operations);
+  lookHeld(cut.stock(), steps.length);
   const last = statements.at(steps.length, cut);
   if (last) {
     setups.change(cut.stock(), steps.length);

@@ -1,6 +1,7 @@
 import type { Move } from "../../src/kernel/move.ts";
 import type { Tool } from "../../src/kernel/tool.ts";
 import { areaOf, common, crossed, filled, lengthOf, shrunk, without, type Field, type Grid } from "./field.ts";
+import { heldIn } from "./held.ts";
 import { hull, insertOf, type P } from "./insert.ts";
 
 /*
@@ -85,10 +86,20 @@ export function gridOver(rings: readonly (readonly P[])[], along: Grid["along"],
   return { along, width, from, count: Math.ceil((high - from) / width) + 1 };
 }
 
-/** Cuts a blank by motions. `part`: the finished part, as closed polygons; nothing may cut there. */
-export function judge(blank: readonly (readonly P[])[], motions: readonly Motion[], part: readonly (readonly P[])[], grid: Grid): Verdict {
+/**
+ * Cuts a blank by motions. `part`: the finished part, as closed polygons; nothing may cut there. `whole` tells behind which motions a cut has
+ * ended: then only what hangs together with the rear end stays.
+ */
+export function judge(
+  blank: readonly (readonly P[])[],
+  motions: readonly Motion[],
+  part: readonly (readonly P[])[],
+  grid: Grid,
+  whole: (motion: number) => boolean = () => false,
+): Verdict {
   const initial = filled(grid, blank);
-  const stock: Field = [...initial];
+  const rear = Math.min(...blank.flat().map((p) => p.z));
+  let stock: Field = [...initial];
   const kept = shrunk(filled(grid, part), THIN);
   const inserts = new Map<Tool, P[]>();
   const faults: Fault[] = [];
@@ -132,6 +143,7 @@ export function judge(blank: readonly (readonly P[])[], motions: readonly Motion
       } else cut += taken * grid.width;
     }
     for (const [i, left] of next) stock[i] = left;
+    if (whole(index)) stock = heldIn(grid, stock, rear, 0);
     if (gouge > 0) faults.push({ kind: "gouge", motion: index, area: gouge });
     if (rapid > 0) faults.push({ kind: "rapid", motion: index, area: rapid });
   });

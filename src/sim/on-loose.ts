@@ -1,0 +1,38 @@
+import { intersection, offset } from "../kernel/clip.ts";
+import { at, type Ring } from "../kernel/point.ts";
+import { REAL_AREA, real } from "../kernel/real-area.ts";
+import { areaOf } from "../kernel/area.ts";
+import type { Step } from "../kernel/step.ts";
+import type { Tool } from "../kernel/tool.ts";
+import { merged, type Cutting } from "./cutting.ts";
+import type { Loose } from "./held.ts";
+import type { Outlines } from "./outlines.ts";
+import { plainRun } from "./plain-cut.ts";
+import type { SimulatedOperation } from "./simulation.ts";
+import { sweptBy } from "./sweep.ts";
+
+/** The tip of a tool, as a spot of this size, mm: the insert behind it may stand where a piece was. */
+const SPOT: Ring = [at(-0.02, -0.02), at(0.02, -0.02), at(0.02, 0.02), at(-0.02, 0.02)];
+/** What a cut has left lies against its sweep this near, mm. */
+const AGAINST = 0.02;
+
+/**
+ * Whether a feed move works on what has come off: its tip runs there, and so does the area of its operation. A run of plain cuts does when
+ * none of it cuts what is still held: a tool may come and go where a piece was.
+ */
+export function worksOn(
+  loose: Loose,
+  index: number,
+  cut: Cutting,
+  { steps, operations, outlines }: { readonly steps: readonly Step[]; readonly operations: readonly SimulatedOperation[];
+    readonly outlines: (tool: Tool) => Outlines },
+): boolean {
+  const step = steps[index] as Step;
+  if (real(intersection(loose.inside, sweptBy(SPOT, step).rings)).length === 0) return false;
+  const operation = operations[step.operation ?? -1];
+  if (operation) return real(intersection(loose.inside, [operation.plan.area])).length > 0;
+  const [first, last] = plainRun(steps, index);
+  const { insert } = outlines(step.tool);
+  const swept = merged(steps.slice(first, last + 1).flatMap((s) => sweptBy(insert, s).rings));
+  return areaOf(intersection(offset(swept, AGAINST), cut.stock())) < REAL_AREA;
+}
