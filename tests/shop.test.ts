@@ -59,7 +59,7 @@ const shopTools = (() => {
 function differences(r: Report, { infos = [], partsOff = 0, left = 0 }: Said): string[] {
   const { proof } = r;
   const stays = proof.residual.reduce((sum, each) => sum + each.area, 0);
-  const loose = r.issues.filter((i) => i.code === "cameLoose").reduce((sum, i) => sum + Number(i.data?.["places"] ?? 1), 0);
+  const loose = r.issues.filter((i) => i.code === "cameLoose").reduce((sum, i) => sum + ((i.data as { readonly places?: number }).places ?? 1), 0);
   const needless = r.issues.filter((i) => i.severity === "info" ? !infos.includes(i.code) : !(i.code === "cameLoose" && partsOff > 0));
   return [
     ...(proof.verdict === "proved" ? [] : [`verdict ${proof.verdict}`]),

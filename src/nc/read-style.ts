@@ -15,7 +15,8 @@ function seen<T>(texts: readonly string[], show: (raw: string) => T | null, othe
 }
 
 const INDENTED = new RegExp(String.raw`[\r\n]([ \t]*)${NUMBER_PARAMETER}[ \t]*=`, "i");
-const code = (raw: string) => raw.replace(/;[^\r\n]*/g, "");
+/** Without comments and names, which show nothing: M48X2 is no X. */
+const code = (raw: string) => raw.replace(/;[^\r\n]*/g, "").replace(/(?:\b(?:BEGIN|END) PGM |\* - )[^\r\n]*/gi, "");
 const newLine = (raw: string) => /\r\n|\n|\r/.exec(raw)?.[0] as Style["newLine"] | undefined ?? null;
 const wide =
   (raw:

@@ -27,7 +27,7 @@ const CONTOUR_LABEL = 2;
 /** Decimals of the value of a Q parameter. */
 const PARAMETER_DECIMALS = 6;
 /** How far the safe position stands from blank and start point: ⌀ and Z, mm. */
-const AWAY = { x: 20, z: 50 };
+export const AWAY = { x: 20, z: 50 };
 const path = (words: Partial<Words>): Statement => ({ kind: "path", path: "L", words: { ...noWords, ...words } });
 const number = (typed: string, otherwise: number) => {
   const read = value(typed);

@@ -1,6 +1,7 @@
 import { boxAround } from "../../kernel/box.ts";
 import { areaOf } from "../../kernel/area.ts";
 import { simplified } from "../../kernel/clip.ts";
+import { elementsThrough } from "../../kernel/elements-through.ts";
 import { part, type Pt, type Ring, type Segment } from "../../kernel/point.ts";
 import { rounded, toDiameter } from "../../kernel/units.ts";
 
@@ -12,73 +13,10 @@ export interface OutlineLines {
 
 /** How near the lines and arcs stay to the shape they are taken from, mm. */
 const NEAR = 0.004;
+/** A chain of points as lines and arcs that are that near. */
+export const fewElements = (points: readonly Pt[]) => elementsThrough(points, { line: NEAR, arc: NEAR });
 /** A point lies on the blank, or on the axis, within this, mm. */
 const ON = 0.01;
-/** An arc is no arc with less than so many points of its chords, and none of a radius over this, mm. */
-const ARC_POINTS = 4, LARGEST_ARC = 2000;
-/** Shorter than this nothing is an element of its own, mm. */
-const SHORT = 0.006;
-
-/** The circle through three points; null where they lie on a line. */
-function circle(a: Pt, b: Pt, c: Pt): { readonly z: number; readonly r: number; readonly radius: number } | null {
-  const [bz, br, cz, cr] = [b.z - a.z, b.r - a.r, c.z - a.z, c.r - a.r], d = 2 * (bz * cr - br * cz);
-  if (Math.abs(d) < SHORT * SHORT) return null;
-  const [bb, cc] = [bz * bz + br * br, cz * cz + cr * cr];
-  const z = (cr * bb - br * cc) / d, r = (bz * cc - cz * bb) / d, radius = Math.hypot(z, r);
-  return radius > LARGEST_ARC ? null : { z: a.z + z, r: a.r + r, radius };
-}
-
-const between = (points: readonly Pt[], from: number, to: number): readonly Pt[] => points.slice(from + 1, to);
-
-/** The line from one point to another, if all between lie near it. */
-function lineOf(points: readonly Pt[], from: number, to: number): Segment | null {
-  const [a, b] = [points[from], points[to]];
-  if (!a || !b) return null;
-  const line = part.line(a, b);
-  return between(points, from, to).every((p) => part.distanceTo(line, p) < NEAR) ? line : null;
-}
-
-/** The arc through a run of points, chords and all. */
-function arcOf(points: readonly Pt[], from: number, to: number): Segment | null {
-  const [a, m, b] = [points[from], points[Math.floor((from + to) / 2)], points[to]];
-  if (!a || !m || !b || to - from < ARC_POINTS) return null;
-  const found = circle(a, m, b);
-  if (!found) return null;
-  const run = points.slice(from, to + 1);
-  const near = (p: Pt) => Math.abs(Math.hypot(p.z - found.z, p.r - found.r) - found.radius) < NEAR;
-  // A chord that leaves its arc by more is a line beside it.
-  const sunk = (p: Pt, i: number) => {
-    const q = run[i + 1];
-    if (!q) return true;
-    const half = part.apart(p, part.pointOn(part.line(p, q), 1 / 2));
-    return half <= found.radius && found.radius - Math.sqrt(found.radius ** 2 - half ** 2) < NEAR;
-  };
-  if (!run.every(near) || !run.every(sunk)) return null;
-  const turn = (m.z - a.z) * (b.r - a.r) - (m.r - a.r) * (b.z - a.z) > 0 ? "ccw" : "cw";
-  return { kind: "arc", from: a, to: b, centre: part.point(found.z, found.r), turn };
-}
-
-/** A chain of points as few lines and arcs: each goes on as far as it stays near. */
-export function fewElements(points: readonly Pt[]): Segment[] {
-  const out: Segment[] = [];
-  let from = 0;
-  while (from < points.length - 1) {
-    let best: { to: number; segment: Segment } | null = null;
-    for (const make of [lineOf, arcOf]) {
-      let to = make === lineOf ? from + 1 : from + ARC_POINTS, made = make(points, from, to);
-      while (made) {
-        if (!best || to > best.to) best = { to, segment: made };
-        to += 1;
-        made = to < points.length ? make(points, from, to) : null;
-      }
-    }
-    if (!best) break;
-    out.push(best.segment);
-    from = best.to;
-  }
-  return out;
-}
-
 const number = (value: number): string => {
   const text = String(rounded(value) + 0);
   return text.startsWith("-") ? text : `+${text}`;

@@ -51,7 +51,7 @@ export const signOf = (turn: Turn) => (turn === "ccw" ? 1 : -1);
 const FINEST = 1 / 1000;
 
 /** Chords that an arc of `size` mm and `sweep` radians needs to stay within `chord` mm. */
-function chordsOf(size: number, sweep: number, chord: number): number {
+export function chordsOf(size: number, sweep: number, chord: number): number {
   const step = 2 * Math.acos(Math.max(0, 1 - chord / Math.max(size, chord)));
   const count = Math.ceil(Math.abs(sweep) / Math.max(step, FINEST) - ROUND);
   return Number.isFinite(count) ? Math.max(1, count) : 1;
