@@ -48,7 +48,12 @@ describe("the program of the next clamping", () => {
   });
 
   test("is named after the one before", () => {
-    expect(["PART", "PART_2", "PART_50", "A".repeat(32)].map(nextClampingName)).toEqual(["PART_2", "PART_3", "PART_50_2", `${"A".repeat(30)}_2`]);
+    expect(["PART", "PART_2", "PART_50", "A".repeat(32)].map(nextClampingName)).toEqual([
+      "PART_2",
+      "PART_3",
+      "PART_50_2",
+      `${"A".repeat(30)}_2`,
+    ]);
     expect(turned("shaft", 0)).toMatch(/^0 BEGIN PGM SHAFT_50_2 MM\n/);
   });
 });

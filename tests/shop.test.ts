@@ -20,8 +20,8 @@ const programs = import.meta.glob<string>("./shop/*.h", { query: "?raw", import:
 const nameOf = (path: string) => path.replace(/^\.\/shop\/|\.h$/g, "");
 
 /**
- * Programs as setters write them, each with paths that were read by eye. They hold the proof to what a shop sees every day: nobody reads findings
- * any more where each third program has one that is none.
+ * Programs as setters write them, each with paths that were read by eye. They hold the proof to what a shop sees every day: nobody
+ * reads findings any more where each third program has one that is none.
  */
 const shop: Readonly<Record<string, Said>> = {
   "bar-parts": { partsOff: 3 },
@@ -59,7 +59,10 @@ const shopTools = (() => {
 function differences(r: Report, { infos = [], partsOff = 0, left = 0 }: Said): string[] {
   const { proof } = r;
   const stays = proof.residual.reduce((sum, each) => sum + each.area, 0);
-  const loose = r.issues.filter((i) => i.code === "cameLoose").reduce((sum, i) => sum + ((i.data as { readonly places?: number }).places ?? 1), 0);
+  const loose = r.issues.filter((i) => i.code === "cameLoose").reduce(
+    (sum, i) => sum + ((i.data as { readonly places?: number }).places ?? 1),
+    0,
+  );
   const needless = r.issues.filter((i) => i.severity === "info" ? !infos.includes(i.code) : !(i.code === "cameLoose" && partsOff > 0));
   return [
     ...(proof.verdict === "proved" ? [] : [`verdict ${proof.verdict}`]),

@@ -28,6 +28,7 @@ const paths = {
   print: "M7 9V4h10v5M7 17H4v-8h16v8h-3M7 14h10v6H7z",
   share: "M12 15V3M8 7l4-4 4 4M5 12v8h14v-8",
   solid: "M12 3l8 4.5v9L12 21l-8-4.5v-9zM4 7.5l8 4.5 8-4.5M12 12v9",
+  turn: "M4 8h15l-4-4M20 16H5l4 4",
   rename: "M4 20h4L19.5 8.5l-4-4L4 16zM13 7l4 4",
   remove: "M5 7h14M10 7V4h4v3M7 7l1 13h8l1-13M10 11v5M14 11v5",
 } as const;

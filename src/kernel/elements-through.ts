@@ -75,7 +75,10 @@ function settled(arc: Arc, run: readonly Pt[], near: number): Arc {
   const sweep = part.sweepOf(arc);
   if (sweep > WIDE) return arc;
   const line = part.apart(arc.from, arc.to), chords = chordsOf(part.radiusOf(arc), sweep, CHORD);
-  const enclosed = run.slice(1).reduce((sum, q, i) => sum + part.cross(part.difference(run[i] ?? q, arc.from), part.difference(q, arc.from)), 0);
+  const enclosed = run.slice(1).reduce(
+    (sum, q, i) => sum + part.cross(part.difference(run[i] ?? q, arc.from), part.difference(q, arc.from)),
+    0,
+  );
   const way = arc.turn === "ccw" ? 1 : -1, area = (way * enclosed) / 2;
   let [low, high] = [ROUND, 2 * Math.PI - ROUND];
   for (let i = 0; i < HALVINGS; i += 1) {

@@ -68,17 +68,20 @@ function asWritten(s: Segment): Segment[] {
 }
 
 /**
- * One line round a piece. A cavity is reached along a line that is run there and back, so that it has no width and encloses nothing: a blank
+ * One line round a piece. A cavity is reached along a line that is run there and back, which has no width and encloses nothing: a blank
  * has one outline.
  */
 function outlineOf(piece: readonly Ring[]): readonly Segment[] {
   const chains = piece.toSorted((a, b) => areaOfRing(b) - areaOfRing(a)).map(elementsOf);
   const [outer = [], ...cavities] = chains, begin = outer[0]?.from;
   if (!begin) return [];
-  return [...outer, ...cavities.flatMap((cavity) => {
-    const to = cavity[0]?.from;
-    return to ? [part.line(begin, to), ...cavity, part.line(to, begin)] : [];
-  })].flatMap(asWritten);
+  return [
+    ...outer,
+    ...cavities.flatMap((cavity) => {
+      const to = cavity[0]?.from;
+      return to ? [part.line(begin, to), ...cavity, part.line(to, begin)] : [];
+    }),
+  ].flatMap(asWritten);
 }
 
 /** The radius of an arc with as few decimals as leave it the same to the eye of the proof. `per`: mm of a unit of the program. */
@@ -113,7 +116,7 @@ function outlineStatements(segments: readonly Segment[], unit: "MM" | "INCH"): S
   return [...statement(first.from, null), ...segments.flatMap((s) => statement(s.to, s.kind === "arc" ? s : null))];
 }
 
-/** The tool that the first program begins with, with its speed and its unit of feeds: the second side is faced with it more often than not. */
+/** The tool that the first program begins with, its speed and its unit of feeds: more often than not the second side is faced with it. */
 function firstTool({ blocks }: Program): Statement[] {
   const from = blocks.findIndex(({ statement: s }) => s.kind === "toolCall" && s.tool !== null);
   if (from < 0) return [];
@@ -137,7 +140,11 @@ export function secondSide(program: Program, piece: readonly Ring[], { allowance
   if (outline.length === 0) return "";
   const output = outputIn(program, otherwise), per = IN_MM[unit === "INCH" ? "inch" : "mm"];
   const { high } = boxAround(turned);
-  const away = (axis: "X" | "Z", mm: number): AxisWord => ({ axis, value: kept(Math.ceil(mm) / per, POSITION_DECIMALS), incremental: false });
+  const away = (axis: "X" | "Z", mm: number): AxisWord => ({
+    axis,
+    value: kept(Math.ceil(mm) / per, POSITION_DECIMALS),
+    incremental: false,
+  });
   const all: Statement[] = [
     { kind: "begin", name, unit },
     { kind: "blankRotation", axis: "Z", measure: "D", outline: { label: BLANK_LABEL }, inner: null },

@@ -24,14 +24,15 @@ const places = fc.tuple(grid(-65, 5), grid(-5, 45)).map(([z, r]) => at(z, r));
 const below: Ring = [at(-100, -100), at(100, -100), at(100, 0), at(-100, 0)];
 
 /** A bar or a tube less a few shapes with sharp or round corners: pieces, bores, undercuts and cavities. */
-const stocks = fc.tuple(fc.constantFrom(0, 5, 12.3456), fc.array(
-  fc.tuple(fc.array(places, { minLength: 3, maxLength: 4 }), fc.constantFrom(0, 0.2, 0.4, 0.8, 3, 12.5)),
-  { minLength: 1, maxLength: 6 },
-)).map(([bore, cuts]) => {
-  const blank: Ring = [at(-60, bore), at(0, bore), at(0, 40), at(-60, 40)];
-  const taken = cuts.flatMap(([shape, round]) => (round > 0 ? offset(union(convex(shape)), round) : convex(shape)));
-  return difference(difference([blank], taken), [below]);
-});
+const stocks = fc.tuple(fc.constantFrom(0, 5, 12.3456),
+  fc.array(fc.tuple(fc.array(places, { minLength: 3, maxLength: 4 }), fc.constantFrom(0, 0.2, 0.4, 0.8, 3, 12.5)), {
+    minLength: 1,
+    maxLength: 6,
+  })).map(([bore, cuts]) => {
+    const blank: Ring = [at(-60, bore), at(0, bore), at(0, 40), at(-60, 40)];
+    const taken = cuts.flatMap(([shape, round]) => (round > 0 ? offset(union(convex(shape)), round) : convex(shape)));
+    return difference(difference([blank], taken), [below]);
+  });
 const convex = (shape: readonly Pt[]): Ring[] => (areaOf([shape]) < 0 ? [[...shape].reverse()] : [shape]);
 
 const FIRST = (unit: "MM" | "INCH") => parse(`0 BEGIN PGM PART ${unit}\n1 TOOL CALL 1\n2 M30\n3 END PGM PART ${unit}\n`);
@@ -64,7 +65,9 @@ test("what is turned round is read back as what it was, and turned twice it is i
   }), { numRuns: 60 });
 });
 
-const programs = Object.entries(import.meta.glob<string>(["../programs/*.h", "../shop/*.h"], { query: "?raw", import: "default", eager: true }));
+const programs = Object.entries(
+  import.meta.glob<string>(["../programs/*.h", "../shop/*.h"], { query: "?raw", import: "default", eager: true }),
+);
 
 test.each(programs)("the stock of %s goes into the next clamping as it is", (_, text) => {
   const program = parse(text), done = run(program, { tools: shippedTools, rapid: 10_000 });

@@ -14,6 +14,7 @@ import { isProgram, type Work } from "../work.ts";
 /** Fetched when it is first opened. */
 const HandOnDialog = lazyPart(async () => ({ default: (await import("../handing/HandOnDialog.tsx")).HandOnDialog }));
 const PartExport = lazyPart(async () => ({ default: (await import("../export/PartExport.tsx")).PartExport }));
+const TurnRound = lazyPart(async () => ({ default: (await import("./TurnRound.tsx")).TurnRound }));
 const ProgramDrawing = lazyPart(async () => ({ default: (await import("../course/drawing/ProgramDrawing.tsx")).ProgramDrawing }));
 const OutputDialog = lazyPart(async () => ({ default: (await import("./OutputDialog.tsx")).OutputDialog }));
 const TeachDialog = lazyPart(async () => ({ default: (await import("../course/teach/TeachDialog.tsx")).TeachDialog }));
@@ -54,6 +55,7 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
   const { page: { text: t } } = useTexts();
   const [handed, handOn] = useState<Leaving | null>(null);
   const [exported, exportPart] = useState<string | null>(null);
+  const [turned, turnRound] = useState<string | null>(null);
   const [drawn, draw] = useState<string | null>(null);
   const [sets, setOutput] = useState(false);
   const [taught, teach] = useState<{ readonly text: string; readonly work: string } | null>(null);
@@ -87,6 +89,14 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
       {exported !== null && (
         <Suspense>
           <PartExport stem={exported} done={() => exportPart(null)} />
+        </Suspense>
+      )}
+      <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => turnRound(openText())}>
+        <Icon name="turn" /> {t.turnRound}
+      </button>
+      {turned !== null && (
+        <Suspense>
+          <TurnRound text={turned} done={() => turnRound(null)} />
         </Suspense>
       )}
       <button type="button" className="button plain" aria-haspopup="dialog"

@@ -168,6 +168,7 @@ export const page = {
     workshopDrawing: "Werkstattzeichnung",
     handOn: "Weitergeben",
     exportPart: "Teil exportieren",
+    turnRound: "Umspannen",
     makeTask: "Aufgabe aus diesem Programm machen",
     compare: "Vergleichen",
     blocks: "Sätze des Programms",

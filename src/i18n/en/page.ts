@@ -166,6 +166,7 @@ export const page = {
     workshopDrawing: "Workshop drawing",
     handOn: "Hand on",
     exportPart: "Export part",
+    turnRound: "Turn it round",
     makeTask: "Make a task of this program",
     compare: "Compare",
     blocks: "Blocks of the program",

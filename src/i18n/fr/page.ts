@@ -168,6 +168,7 @@ export const page = {
     workshopDrawing: "Dessin d’atelier",
     handOn: "Transmettre",
     exportPart: "Exporter la pièce",
+    turnRound: "Retourner la pièce",
     makeTask: "Faire un exercice de ce programme",
     compare: "Comparer",
     blocks: "Séquences du programme",

@@ -168,6 +168,7 @@ export const page = {
     workshopDrawing: "零件图",
     handOn: "转交",
     exportPart: "导出零件",
+    turnRound: "调头装夹",
     makeTask: "用此程序出一道练习",
     compare: "比较",
     blocks: "程序段",

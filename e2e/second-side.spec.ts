@@ -1,0 +1,68 @@
+import { readFile } from "node:fs/promises";
+import { secondSide as de } from "../src/i18n/de/second-side.ts";
+import { secondSide as words } from "../src/i18n/en/second-side.ts";
+import { looksRight } from "./pages/look.ts";
+import { expect, test } from "./pages/test.ts";
+import { Turnwise } from "./pages/turnwise.ts";
+
+test("what a program leaves is turned round and goes on as a program of its own", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, effect, start, t } = turnwise;
+  const dialog = page.getByRole("dialog", { name: words.title, exact: true });
+  const open = dialog.getByRole("button", { name: words.open, exact: true });
+  const ask = () => page.getByRole("button", { name: t.page.text.turnRound, exact: true }).click();
+  const allowance = dialog.getByRole("textbox", { name: words.allowance("mm"), exact: true });
+
+  await start.beginWithExample(812);
+  await effect.proved();
+  await ask();
+  await expect(dialog).toContainText("SHOULDER812_2");
+  await expect(dialog).toContainText("⌀75 × 100 mm");
+  await looksRight(page);
+  await allowance.fill("-1");
+  await expect(open).toBeDisabled();
+  await expect(dialog).toContainText(words.allowanceWrong("100 mm"));
+  await allowance.fill("1.5");
+  await open.click();
+  await expect(editor.text).toContainText("BLK FORM ROTATION Z DIM_D LBL 1");
+  await expect(editor.text).toContainText("Z+1.5");
+  const next = page.url();
+
+  // The first one stays as it was.
+  await page.goBack();
+  await expect(page).not.toHaveURL(next);
+  await effect.proved();
+  await page.goForward();
+  await expect(editor.text).toContainText("BEGIN PGM SHOULDER812_2 MM");
+
+  // Turned again it is the third clamping.
+  await ask();
+  await expect(dialog).toContainText("SHOULDER812_3");
+});
+
+test("of a bar and the part that came off it the part is turned round; the dialog fits a phone", async ({ page }) => {
+  const turnwise = await Turnwise.open(page);
+  const { editor, t } = turnwise;
+  await page.setViewportSize({ width: 390, height: 664 });
+  await editor.paste(await readFile("tests/shop/bush.h", "utf8"));
+  await expect(page.getByText(t.findings.verdict.proved).first()).toBeVisible();
+  await editor.show("text");
+  await page.getByRole("button", { name: t.page.text.turnRound, exact: true }).click();
+  const dialog = page.getByRole("dialog", { name: words.title, exact: true });
+  await expect(dialog.getByRole("radio", { name: words.off("⌀56 × 40 mm"), exact: true })).toBeChecked();
+  await looksRight(page);
+  await dialog.getByRole("button", { name: words.open, exact: true }).click();
+  await expect(editor.text).toContainText("BEGIN PGM BUSH_56_2 MM");
+  await looksRight(page);
+});
+
+test("a program with errors leaves nothing to turn round, and it is said why", async ({ page }) => {
+  const turnwise = await Turnwise.open(page, { language: "de" });
+  const { editor, t } = turnwise;
+  await editor.paste("0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D40 L60\n2 FUNCTION MODE TURN\n3 TOOL CALL 99\n4 M30\n5 END PGM A MM\n");
+  await page.getByRole("button", { name: t.page.text.turnRound, exact: true }).click();
+  const dialog = page.getByRole("dialog", { name: de.title, exact: true });
+  await expect(dialog.getByRole("status")).toHaveText(de.lack.faults);
+  await expect(dialog.getByRole("button", { name: de.open, exact: true })).toBeDisabled();
+  await looksRight(page);
+});
