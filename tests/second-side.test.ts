@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { areaOf } from "../src/kernel/area.ts";
+import { at } from "../src/kernel/point.ts";
 import { parse } from "../src/nc/parse.ts";
 import { NC_OUTPUTS } from "../src/program/nc-output.ts";
 import { run } from "../src/program/run.ts";
@@ -30,6 +31,20 @@ describe("the program of the next clamping", () => {
     await expect(text).toMatchFileSnapshot(`second-side/${name}.h`);
     const said = run(parse(text), { tools: shippedTools, rapid: 10_000 }).issues.map(({ issue }) => issue);
     expect(said.filter(({ severity }) => severity !== "info")).toEqual([]);
+  });
+
+  test("begins as the one before began to turn, with nothing of its mills and parameters", () => {
+    const first = (...lines: readonly string[]) =>
+      secondSide(parse(["BEGIN PGM A MM", "BLK FORM CYLINDER Z D40 L60", ...lines, "M30", "END PGM A MM", ""].join("\n")), [[
+        at(-60, 0),
+        at(0, 0),
+        at(0, 20),
+        at(-60, 20),
+      ]], { allowance: 0, output }).split("\n").slice(2, 7).filter((line) => !/^(?:L|M30|LBL)/.test(line));
+    const spin = "FUNCTION TURNDATA SPIN VCONST:OFF S850";
+    expect(first("TOOL CALL 30 Z S4000 F200", "M136", 'FUNCTION MODE TURN "AC_TURN"', 'TOOL CALL "CNMG" DL+0.1', spin, "TOOL CALL 3"))
+      .toEqual(['FUNCTION MODE TURN "AC_TURN"', 'TOOL CALL "CNMG"', spin, "M136"]);
+    expect(first("Q5 = 3", "TOOL CALL Q5", "FUNCTION TURNDATA SPIN VCONST:ON VC:Q7 SMAX2500")).toEqual(["FUNCTION MODE TURN"]);
   });
 
   test("where nothing is left there is no program", () => {

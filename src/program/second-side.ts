@@ -116,15 +116,20 @@ function outlineStatements(segments: readonly Segment[], unit: "MM" | "INCH"): S
   return [...statement(first.from, null), ...segments.flatMap((s) => statement(s.to, s.kind === "arc" ? s : null))];
 }
 
-/** The tool that the first program begins with, its speed and its unit of feeds: more often than not the second side is faced with it. */
-function firstTool({ blocks }: Program): Statement[] {
-  const from = blocks.findIndex(({ statement: s }) => s.kind === "toolCall" && s.tool !== null);
-  if (from < 0) return [];
-  const behind = blocks.slice(from).map(({ statement }) => statement);
-  const [call] = behind as [StatementOf<"toolCall">];
-  const none = { axis: null, speed: null, feed: null, deltaLength: null, deltaRadius: null, extra: [] };
-  const found = [behind.find((s) => s.kind === "spin"), behind.find(setsFeedUnit)];
-  return [{ kind: "toolCall", tool: call.tool, ...none }, ...found.filter((s) => s !== undefined)];
+/** Whether a statement means the same in another program: it has no Q parameters. */
+const isPlain = (s: Statement): boolean => !JSON.stringify(s).includes('"parameter"');
+
+/**
+ * What the first program says of turning before it cuts: the mode with its kinematics, its first turning tool, with which the second side
+ * is faced more often than not, the speed and the unit of feeds. A call that names a tool axis is one of a mill.
+ */
+function turningOf({ blocks }: Program): Statement[] {
+  const all = blocks.map(({ statement }) => statement).filter(isPlain);
+  const mode = all.find((s) => s.kind === "mode" && s.mode === "TURN") ?? { kind: "mode", mode: "TURN", kinematics: null };
+  const call = all.find((s): s is StatementOf<"toolCall"> => s.kind === "toolCall" && s.tool !== null && s.axis === null);
+  if (!call) return [mode];
+  const tool: Statement = { ...call, speed: null, feed: null, deltaLength: null, deltaRadius: null, extra: [] };
+  return [mode, tool, ...[all.find((s) => s.kind === "spin"), all.find(setsFeedUnit)].filter((s) => s !== undefined)];
 }
 
 /**
@@ -148,8 +153,7 @@ export function secondSide(program: Program, piece: readonly Ring[], { allowance
   const all: Statement[] = [
     { kind: "begin", name, unit },
     { kind: "blankRotation", axis: "Z", measure: "D", outline: { label: BLANK_LABEL }, inner: null },
-    { kind: "mode", mode: "TURN", kinematics: null },
-    ...firstTool(program),
+    ...turningOf(program),
     {
       kind: "path",
       path: "L",
