@@ -7,10 +7,13 @@ import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { isIsoText } from "../src/nc/iso/lines.ts";
 import type { IsoIssue } from "../src/nc/iso/issue.ts";
 import { klartextOfIso, type KlartextOfIso } from "../src/nc/iso/read-iso.ts";
+import { machineTexts } from "../src/i18n/en/machine.ts";
 import { parse } from "../src/nc/parse.ts";
 import { print } from "../src/nc/program.ts";
 import { LAYOUTS } from "../src/nc/style.ts";
 import { isoNames } from "../src/program/iso-names.ts";
+import type { MachineData } from "../src/program/machine-data.ts";
+import { readMachine } from "../src/program/machine-file.ts";
 import type { Control } from "../src/program/plane-types.ts";
 import { fileKey, type ProgramFile, type ProgramFiles } from "../src/program/program-files.ts";
 import { over, readTools, type ShopTools } from "../src/program/read-tools.ts";
@@ -22,7 +25,7 @@ import { simulate } from "../src/sim/simulate.ts";
 import { tracing } from "../src/sim/tracing.ts";
 import { LOADING_CONTROLS, refusalLines, type RefusedPlace, refusedPlaces } from "./refusal-words.ts";
 
-/** Rapid rate of the times, mm/min. */
+/** Rapid rate of the times where no machine file states any, mm/min. */
 const RAPID = 10_000;
 
 /** A command line that can not be carried out; its message is the one line on standard error. */
@@ -32,7 +35,8 @@ class Refusal extends Error {}
 const STDIN = "-";
 
 const usage = (called: string): string =>
-  `usage: ${called} FILE.h [FILE.h …] [--tools TOOLS.json] [--control tnc640|tnc7] [--as tnc640|tnc7|iso] [--skip] ` + "[--json | --print]";
+  `usage: ${called} FILE.h [FILE.h …] [--tools TOOLS.json] [--machine MACHINE.json] [--control tnc640|tnc7] [--as tnc640|tnc7|iso] `
+  + "[--skip] [--json | --print]";
 
 const help = (called: string): string =>
   `${usage(called)}
@@ -42,6 +46,8 @@ Runs turning programs in Klartext or DIN/ISO, cuts the stock along their paths a
   FILE.h                   a program; ${STDIN} reads one from standard input. Programs that it calls are looked for in its folder
                            and among the other files.
   --tools TOOLS.json       tools of the shop; each replaces the built-in tool of the same number
+  --machine MACHINE.json   what the machine can do (format turnwise-machine/1): rapids, accelerations, tool change and spindle go
+                           into the times
   --control tnc640|tnc7    the control whose rules hold, tnc640 if not said
   --as tnc640|tnc7|iso     say as well what that control refuses when it loads the file, with block, column and line; iso
                            reads it as DIN/ISO
@@ -56,6 +62,7 @@ Exit status: 0 no error, 1 an error in a program or a file that --as refuses, 2 
 interface Command {
   readonly files: readonly string[];
   readonly tools: string | null;
+  readonly machine: string | null;
   readonly json: boolean;
   readonly print: boolean;
   readonly control: Control;
@@ -74,7 +81,7 @@ const CONTROLS: Readonly<Record<string, Control>> = { tnc640: "TNC 640", tnc7: "
 
 function command(args: readonly string[], called: string): Command {
   const files: string[] = [];
-  let [tools, json, printing, skip]: [string | null, boolean, boolean, boolean] = [null, false, false, false];
+  let [tools, machine, json, printing, skip]: [string | null, string | null, boolean, boolean, boolean] = [null, null, false, false, false];
   let control: Control = "TNC 640";
   let as: LoadingControl | null = null;
   for (let i = 0; i < args.length; i += 1) {
@@ -82,9 +89,11 @@ function command(args: readonly string[], called: string): Command {
     if (arg === "--json") json = true;
     else if (arg === "--print") printing = true;
     else if (arg === "--skip") skip = true;
-    else if (arg === "--tools") {
-      tools = args[i += 1] ?? null;
-      if (tools === null) throw new Refusal("--tools needs a file");
+    else if (arg === "--tools" || arg === "--machine") {
+      const path = args[i += 1];
+      if (path === undefined) throw new Refusal(`${arg} needs a file`);
+      if (arg === "--tools") tools = path;
+      else machine = path;
     } else if (arg === "--control") {
       const named = CONTROLS[args[i += 1]?.toLowerCase() ?? ""];
       if (!named) throw new Refusal(`--control needs one of ${Object.keys(CONTROLS).join(", ")}`);
@@ -96,7 +105,7 @@ function command(args: readonly string[], called: string): Command {
   }
   if (files.length === 0) throw new Refusal(usage(called));
   if (files.filter((file) => file === STDIN).length > 1) throw new Refusal(`${STDIN} can be read once`);
-  return { files, tools, json, print: printing, control, as, skip };
+  return { files, tools, machine, json, print: printing, control, as, skip };
 }
 
 function loadingControl(typed: string | undefined): LoadingControl {
@@ -146,6 +155,14 @@ function toolsOf(path: string | null): ShopTools {
   return over(shippedTools, read);
 }
 
+function machineIn(path: string | null): MachineData | null {
+  if (path === null) return null;
+  const read = readMachine(decoded(bytes(path)).text);
+  if ("machine" in read) return read.machine;
+  const [{ kind, at, limit }] = read.problems;
+  throw new Refusal(`machine file ${path}: ${machineTexts.problems[kind](at === "" ? "" : `${at}: `, String(limit ?? ""))}`);
+}
+
 /** A program as Klartext, with what a DIN/ISO program lost on the way there. */
 const asKlartext = (text: string): KlartextOfIso =>
   isIsoText(text) ? klartextOfIso(text, LAYOUTS.tnc7, isoNames(ncLabels("en"))) : { text, issues: [] };
@@ -165,6 +182,7 @@ const lostIn = (issues: readonly IsoIssue[]): Report["issues"] =>
 interface Setting {
   readonly control?: Control;
   readonly files?: ProgramFiles;
+  readonly machine?: MachineData;
   /** Leave out the blocks that are marked with `/`. */
   readonly skipMarked?: boolean;
 }
@@ -257,8 +275,8 @@ export function main(args: readonly string[], called = "npm run --silent verify 
       return 0;
     }
     const asked = command(args, called);
-    const { files, tools, print: printing, control, skip } = asked;
-    const shop = toolsOf(tools);
+    const { files, tools, machine: machinePath, print: printing, control, skip } = asked;
+    const [shop, machine] = [toolsOf(tools), machineIn(machinePath)];
     for (const file of files) readable(file);
     const given = new Map(files.filter((file) => file !== STDIN).toReversed().map((file) => [fileKey(basename(file)), file]));
     let status = 0;
@@ -268,7 +286,7 @@ export function main(args: readonly string[], called = "npm run --silent verify 
         process.stdout.write(Buffer.from(print(parse(text)), encoding));
         continue;
       }
-      const made = verified(file, text, shop, { control, files: besides(file, given), skipMarked: skip });
+      const made = verified(file, text, shop, { control, files: besides(file, given), skipMarked: skip, ...(machine && { machine }) });
       const out = written(made, text, asked);
       if (out.isFaulty) status = 1;
       process.stdout.write(out.text);

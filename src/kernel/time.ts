@@ -76,24 +76,70 @@ function meanAlongArc(spindle: Spindle, path: ArcOf<Pt>): number {
   return sum / (3 * pieces);
 }
 
+/** How an axis goes at rapid: mm/min, and m/s² up to there and down again. Without an acceleration it has its rate at once. */
+export interface AxisRapid {
+  readonly rate: number;
+  readonly acceleration?: number;
+}
+
+/** How a tool goes at rapid: one rate along its path, mm/min, or what each axis does. */
+export type RapidRate = number | { readonly x: AxisRapid; readonly z: AxisRapid };
+
+/** What a motion of an axis is, mm. */
+type AxisWay = readonly [way: number, axis: AxisRapid];
+
+/**
+ * Minutes of a straight rapid from stop to stop: the axes start and arrive together, so the one that needs longest for its share sets
+ * rate and acceleration of all.
+ */
+export function rapidMinutes(ways: readonly AxisWay[]): number {
+  const moving = ways.filter(([way]) => Math.abs(way) > 0);
+  const travel = Math.sqrt(moving.reduce((sum, [way]) => sum + way * way, 0));
+  const along = (of: (axis: AxisRapid) => number) => Math.min(...moving.map(([way, axis]) => (of(axis) * travel) / Math.abs(way)));
+  if (moving.length === 0) return 0;
+  const rate = along((axis) => axis.rate);
+  // In mm/min²: 1 m/s² is 1000 mm/s².
+  const acceleration = along(({ acceleration: a }) => (a === undefined ? Infinity : a * 1000 * 60 * 60));
+  const ramps = (rate * rate) / acceleration;
+  return ramps <= travel ? travel / rate + rate / acceleration : 2 * Math.sqrt(travel / acceleration);
+}
+
+/** The rapid rate of the axis that does most of a straight motion, mm/min: what a feed along it can reach. */
+export function axisRate(rapid: RapidRate, from: Pt, to: Pt): number {
+  if (typeof rapid === "number") return rapid;
+  return Math.abs(to.z - from.z) >= Math.abs(to.r - from.r) ? rapid.z.rate : rapid.x.rate;
+}
+
+/** A spindle that turns no faster than its machine lets it, rpm; the same one where it never would. */
+export function withinLimit(spindle: Spindle, most: number): Spindle {
+  if (spindle.kind === "constant") return spindle.speed <= most ? spindle : { ...spindle, speed: most };
+  return spindle.limit > 0 && spindle.limit <= most ? spindle : { ...spindle, limit: most };
+}
+
+/** What a move takes its time for: cutting is all that runs at a feed, threads included. */
+export const causeOf = (move: Move): "cutting" | "rapid" | "dwell" =>
+  move.kind === "rapid" ? "rapid" : move.kind === "feed" && move.dwell !== undefined ? "dwell" : "cutting";
+
 const meanOf = (spindle: Spindle, path: Segment) =>
   path.kind === "line" ? meanAlongLine(spindle, path.from.r, path.to.r) : meanAlongArc(spindle, path);
 
 /**
- * Seconds that a move takes. `rapidRate` in mm/min. A feed per revolution follows the spindle exactly, at constant
+ * Seconds that a move takes. A feed per revolution follows the spindle exactly, at constant
  * cutting speed too; a thread runs at the speed of its start. What has no feed or no speed takes no time.
  */
-export function secondsOf(from: Pt, move: Move, spindle: Spindle, rapidRate: number): number {
+export function secondsOf(from: Pt, move: Move, spindle: Spindle, rapid: RapidRate): number {
   const path = pathOf(from, move);
-  const seconds = 60 * minutesOf(path, move, spindle, rapidRate);
+  const seconds = 60 * minutesOf(path, move, spindle, rapid);
   return Number.isFinite(seconds) && seconds > 0 ? seconds : 0;
 }
 
-function minutesOf(path: Segment, move: Move, spindle: Spindle, rapidRate: number): number {
+function minutesOf(path: Segment, move: Move, spindle: Spindle, rapid: RapidRate): number {
   const travel = travelOf(path);
   switch (move.kind) {
     case "rapid":
-      return travel / rapidRate;
+      return typeof rapid === "number"
+        ? travel / rapid
+        : rapidMinutes([[path.to.z - path.from.z, rapid.z], [path.to.r - path.from.r, rapid.x]]);
     case "feed":
       if (move.dwell !== undefined) return move.dwell * minutesPerTurn(spindle, move.to.r);
       return move.feedUnit === "mm/min" ? travel / move.feed : (travel / move.feed) * meanOf(spindle, path);

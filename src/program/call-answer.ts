@@ -44,7 +44,7 @@ const nothing: Plan = empty([]);
 const unique = (issues: readonly Issue[]) => [...new Map(issues.map((i) => [JSON.stringify([i.code, i.at ?? "", i.data]), i])).values()];
 
 function answer(machine: Machine, { cycle, defined, contour, told, start: at, tool, stock: standing }: CalledCycle): CallAnswer {
-  const { datum, toolFeed: autoFeed, spindle, tool: called } = machine.now;
+  const { spindle, now: { datum, toolFeed: autoFeed, tool: called } } = machine;
   const start = countedPoint(at, datum);
   const given: Given = { contour, start };
   const { values, partial, issues } = cycleValues(machine, cycle, defined.values);
@@ -54,7 +54,7 @@ function answer(machine: Machine, { cycle, defined, contour, told, start: at, to
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
   // What a tool that was never called would do wrong is no fault of the program.
   const planned = called ? plan.issues : [];
-  const turning = threadWarnings(cycle, plan, spindle, machine.shop.rapid);
+  const turning = threadWarnings(cycle, plan, spindle, machine.clock.rapid);
   const own = issues.filter((i) => i.code !== "missing" || !defined.troubled.has(i.at ?? ""));
   const found = unique([...own, ...outlined, ...planned, ...turning]);
   const news = found.filter((i) => i.at !== "contour" || (told !== null && !told.includes(i.code)));
@@ -75,10 +75,10 @@ const place = ({ z, r }: Pt): string => `${exactly(z)} ${exactly(r)}`;
 /** All that an answer hangs on. */
 function questionOf(machine: Machine, memory: Pick<PlanMemory, "nameOf">, asked: CalledCycle): string {
   const { cycle, defined, contour, told, start, tool, stock } = asked;
-  const { inch, datum, toolFeed, perRevolution, spindle, tool: called } = machine.now;
+  const { spindle, clock: { rapid }, now: { inch, datum, toolFeed, perRevolution, tool: called } } = machine;
   return [
     `call ${cycle.number} ${place(start)} ${exactly(datum.x)} ${exactly(datum.z)} ${exactly(datum.y)}`,
-    JSON.stringify([inch, toolFeed, perRevolution, machine.shop.rapid, spindle, called !== null, machine.traced !== null, told]),
+    JSON.stringify([inch, toolFeed, perRevolution, rapid, spindle, called !== null, machine.traced !== null, told]),
     JSON.stringify([[...defined.values], [...defined.troubled]]),
     contour ? memory.nameOf(contour) : "",
     memory.nameOf(tool),

@@ -1,4 +1,5 @@
 import type { FileName, OutlinePlace, StatementOf } from "../nc/statement.ts";
+import { assign, assignText } from "./assign.ts";
 import { contourLabels } from "./contour-names.ts";
 import type { Machine } from "./machine.ts";
 import type { ContourSource, JoinedContours } from "./modal.ts";
@@ -46,8 +47,8 @@ function contourOf(machine: Machine, unit: Unit): Found {
   const declared = new Map<string, Found>();
   let chosen: Found | undefined;
   for (const { s, index } of blocks) {
-    if (s.kind === "assignText") machine.assignText(s, index);
-    else if (s.kind === "assign") machine.assign(s, index);
+    if (s.kind === "assignText") assignText(machine, s, index);
+    else if (s.kind === "assign") assign(machine, s, index);
     else if (s.kind === "declareContour") declared.set(s.contour, find(machine, s.from, unit, index));
     else if (s.kind === "contourFormula") {
       chosen = byFormula(s, declared, index);

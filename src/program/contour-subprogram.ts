@@ -1,6 +1,7 @@
 import { contourFrom, type Contour, type ContourElement } from "../kernel/contour.ts";
 import { at as pointAt, type Pt, type Segment } from "../kernel/point.ts";
 import type { Label, Statement, StatementOf } from "../nc/statement.ts";
+import { assign, assignText } from "./assign.ts";
 import { isFreeElement, solveFree, type FreeBlock } from "./free-contour.ts";
 import { collectFree, sayChosen, sayUnsolved } from "./free-words.ts";
 import { programIssue } from "./issue.ts";
@@ -98,9 +99,9 @@ function element(reader: Reader, s: Statement, index: number): void {
     case "chamfer":
       return corner(reader, "chamfer", s.length === null ? null : reader.machine.number(s.length, index), index);
     case "assign":
-      return reader.machine.assign(s, index);
+      return assign(reader.machine, s, index);
     case "assignText":
-      return reader.machine.assignText(s, index);
+      return assignText(reader.machine, s, index);
     case "undercut":
     case "groove": {
       const recess = recessOf(reader.machine, s, index);

@@ -130,7 +130,7 @@ function perform(
   index: number,
 ): void {
   let from = start;
-  const { spindle } = machine.now;
+  const { spindle } = machine;
   if (!spindle) machine.log.sayOnce(programIssue("spindleMissing", "warning", {}), index);
   for (const each of path) {
     const move = moveOf(machine, defined, each, from);

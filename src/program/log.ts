@@ -8,7 +8,7 @@ import { fewAlike, MOST_ALIKE } from "./alike.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { ApproachRun, PlaneStep } from "./plane-types.ts";
 import type { ProgramFile } from "./program-files.ts";
-import type { Operation, Run, RunFinding } from "./run-types.ts";
+import type { Operation, Run, RunFinding, SecondsBeside } from "./run-types.ts";
 
 const NO_SHIFT_POINT: Pt = { z: axial(0), r: radius(0) };
 
@@ -30,6 +30,7 @@ export interface LogMoment {
   readonly datums: Run["datums"];
   readonly firstBlank: readonly Ring[] | null;
   readonly seconds: number;
+  readonly beside: SecondsBeside;
 }
 
 const firstOf = <Value>(set: ReadonlySet<Value>, count: number): Set<Value> => new Set([...set].slice(0, count));
@@ -56,6 +57,8 @@ export class Log {
   firstBlank: readonly Ring[] | null = null;
   /** What turning has taken so far. */
   seconds = 0;
+  /** What was taken beside the motions. */
+  beside: SecondsBeside = { toolChange: 0, spindle: 0, dwell: 0 };
   private readonly said: Set<string> = new Set();
   private readonly left: Set<string> = new Set();
 
@@ -68,7 +71,7 @@ export class Log {
     this.numbers = blockNumbers(program);
     this.lines = startLines(program);
     if (!before) return;
-    const { log, at: { counts, datums, firstBlank, seconds } } = before;
+    const { log, at: { counts, datums, firstBlank, seconds, beside } } = before;
     this.steps = log.steps.slice(0, counts.steps);
     this.stepBlocks = log.stepBlocks.slice(0, counts.steps);
     this.milled = log.milled.slice(0, counts.milled);
@@ -83,11 +86,12 @@ export class Log {
     this.left = firstOf(log.left, counts.left);
     this.firstBlank = firstBlank;
     this.seconds = seconds;
+    this.beside = beside;
   }
 
   /** How far it is now; nothing of another program may have been said yet. */
   get moment(): LogMoment {
-    const { steps, milled, operations, approaches, spindles, findings, unproved, stated, said, left, datums, firstBlank, seconds } = this;
+    const { steps, milled, operations, approaches, spindles, findings, unproved, stated, said, left, datums, firstBlank, seconds, beside } = this;
     return {
       counts: {
         steps: steps.length,
@@ -104,6 +108,7 @@ export class Log {
       datums: [...datums],
       firstBlank,
       seconds,
+      beside,
     };
   }
 
@@ -157,6 +162,11 @@ export class Log {
       ...this.inFile(index, within),
     };
     this.findings.push({ issue, ...place, operation });
+  }
+
+  /** Adds time that no motion takes, s. */
+  takes(what: keyof SecondsBeside, seconds: number): void {
+    if (seconds > 0) this.beside = { ...this.beside, [what]: this.beside[what] + seconds };
   }
 
   /** Notes from which point the program counts at the step that comes next. */

@@ -1,14 +1,16 @@
 import type { FeedUnit, Move } from "../kernel/move.ts";
 import type { Pt } from "../kernel/point.ts";
+import type { Spindle } from "../kernel/step.ts";
 import { INCH, type Feed } from "../kernel/units.ts";
 import type { Block, Program } from "../nc/program.ts";
 import type { FileName, Label, Statement, StatementOf, Value } from "../nc/statement.ts";
 import { NO_TRANSFORM } from "./coordinates-frame.ts";
-import { formulaOf, textOf, valueOf, type Parameters, type Trouble } from "./formula.ts";
+import { valueOf, type Parameters, type Trouble } from "./formula.ts";
 import { MOST_BLOCKS, MOST_MOVES, MOST_OPERATIONS, MOST_TURNED } from "./bounds.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { FreeRun } from "./free-contour.ts";
 import { KnownValues } from "./known-values.ts";
+import { MachineClock } from "./machine-clock.ts";
 import { Log } from "./log.ts";
 import { intents } from "./meant-cuts.ts";
 import { AT_START, NO_SHIFT, NOT_PLACED, type Milling, type Modal, type Whereabouts } from "./modal.ts";
@@ -46,6 +48,8 @@ export class Machine {
   readonly visited: Uint32Array;
   /** The same for a block that was looked at from another one before it. */
   readonly foreseen: Uint32Array;
+  /** What the machine makes of rapids and speeds. */
+  readonly clock: MachineClock;
   /** The contours that turning and milling are gathering. */
   readonly turnGuide: Guide = { chain: null, here: null };
   readonly millGuide: Guide = { chain: null, here: null };
@@ -65,6 +69,7 @@ export class Machine {
   /** `before`: a run of a program with the same blocks up to a moment, and that moment, from which this one goes on. */
   constructor(readonly program: Program, readonly shop: Shop, before?: { readonly machine: Machine; readonly at: RunMoment }) {
     const { machine, at } = before ?? {};
+    this.clock = new MachineClock(shop);
     this.blocks = program.blocks;
     this.log = new Log(program, machine && at && { log: machine.log, at: at.log });
     this.parameters = new Map(at?.parameters);
@@ -156,24 +161,6 @@ export class Machine {
     return this.settle(valueOf(value, this.parameters), index);
   }
 
-  assign(s: Extract<Statement, { kind: "assign" }>, index: number): void {
-    if (s.formula.kind === "undefined") return this.known.unset(s.target);
-    this.keep(s.target, formulaOf(s.formula, this.parameters, this.known.texts), index);
-  }
-
-  assignText(s: Extract<Statement, { kind: "assignText" }>, index: number): void {
-    this.keep(s.target, textOf(s.text, this.parameters, this.known.texts), index);
-  }
-
-  /** Keeps what was worked out; what hangs on a value that nobody knows is not known either. */
-  private keep(target: string, result: number | string | Trouble, index: number): void {
-    if (typeof result === "string") return this.known.setText(target, result);
-    const passedOn = typeof result !== "number" && result.kind === "unset" ? this.known.reasonOf(result.name) : null;
-    const n = passedOn ? null : this.settle(result, index);
-    if (n === null) this.known.forget(target, passedOn ?? "told");
-    else this.known.set(target, n);
-  }
-
   /** Something else has moved the machine: no position is known. */
   loseAll(): void {
     this.endBrought();
@@ -188,7 +175,8 @@ export class Machine {
     this.set({ preset: n });
   }
 
-  private settle(result: number | Trouble, index: number): number | null {
+  /** A number that was worked out, or null with an issue at the block. */
+  settle(result: number | Trouble, index: number): number | null {
     if (typeof result === "number") return result;
     const unknown = result.kind === "unset" ? this.known.reasonOf(result.name) : null;
     this.known.trouble = unknown ?? "told";
@@ -208,6 +196,11 @@ export class Machine {
   /** A feed word as mm/rev or mm/min; inch programs count tenths of an inch per minute, or inches per revolution. */
   feedOf(n: number): Feed {
     return (this.now.inch ? n * (this.now.perRevolution ? INCH : INCH / 10) : n) as Feed;
+  }
+
+  /** The spindle as it turns: as programmed, and no faster than the machine lets it. */
+  get spindle(): Spindle | null {
+    return this.clock.limited(this.now.spindle);
   }
 
   get feedUnit(): FeedUnit {
@@ -276,7 +269,7 @@ export class Machine {
     if (!this.roomForMove(index) || !tool) return;
     const intent = move.kind === "rapid" ? {} : this.intentOf(this.blocks, index, isCompensated);
     const motion = { from, move, tool, block: this.log.numbers[index] ?? 0, operation: null, ...intent, ...this.log.lineOf(index) };
-    this.take(timed([stepOf(motion, this.now.spindle, this.shop.rapid)]), index);
+    this.take(timed([stepOf(motion, this.spindle, this.clock.rapid)]), index);
   }
 
   /** Adds motions of the tool, for which there is room, and what they take: the first of them goes on from where it was brought. */
@@ -285,7 +278,12 @@ export class Machine {
     if (!first) return;
     this.log.seconds += seconds;
     this.log.countsFrom(this.now.datum.x, this.now.datum.z);
-    this.log.turnsAt(this.now.spindle, this.now.backwards);
+    this.log.turnsAt(this.spindle, this.now.backwards);
+    const runUp = this.clock.runUp(this.now, first.from.r);
+    if (runUp) {
+      this.log.takes("spindle", runUp.seconds);
+      this.set({ runsAs: runUp.runsAs });
+    }
     const { brought } = this.place;
     const block = this.log.inProgram(index);
     for (const step of steps) {

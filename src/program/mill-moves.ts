@@ -1,5 +1,6 @@
 import { hypotenuse } from "../kernel/geometry/vectors.ts";
 import { partPoint, plane, type PlanePoint, type PlaneSegment } from "../kernel/plane.ts";
+import { rapidMinutes } from "../kernel/time.ts";
 import { ROUND } from "../kernel/tolerance.ts";
 import type { Machine } from "./machine.ts";
 import type { Travel } from "./plane-chain.ts";
@@ -15,6 +16,20 @@ export type SidePlane = Exclude<MillPlane, "XY">;
 
 const NO_TIP: PlanePoint = { x: 0, y: 0 };
 
+/**
+ * Seconds of a motion over `long` mm. At rapid each axis has what the machine states of it, and Y what it states of X; an arc goes as a
+ * straight way of its length would along X.
+ */
+function secondsOver(machine: Machine, long: number, { feed, line }: { readonly feed: Feed | null; readonly line: Spot | null }): number {
+  const { rapid } = machine.clock;
+  if (feed === null && typeof rapid !== "number") {
+    const { x, z } = rapid;
+    return 60 * rapidMinutes(line ? [[line.x, x], [line.y, x], [line.z ?? 0, z]] : [[long, x]]);
+  }
+  const rate = feed ?? machine.shop.rapid;
+  return rate > 0 && (feed === null || !machine.now.perRevolution) ? (60 * long) / rate : 0;
+}
+
 function travelLength(s: PlaneSegment, dz: number): number {
   const flat = s.kind === "line" ? apart(s.from, s.to) : sweepOf(s) * apart(s.from, s.centre);
   return hypotenuse(flat, dz);
@@ -25,10 +40,10 @@ export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, 
   const isStill = s.kind === "line" && apart(s.from, s.to) <= ROUND;
   if ((isStill && fromZ === toZ) || !machine.roomForMove(index)) return;
   const long = travelLength(s, (toZ ?? 0) - (fromZ ?? toZ ?? 0));
-  const rate = feed === null ? machine.shop.rapid : machine.now.perRevolution ? 0 : feed;
   const [from, to] = [{ x: s.from.x, y: s.from.y, z: fromZ }, { x: s.to.x, y: s.to.y, z: toZ }];
   const [{ feedUnit }, radius, block] = [machine, machine.now.mill.radius ?? 0, machine.log.numbers[index] ?? 0];
-  const [seconds, turned] = [rate > 0 ? (60 * long) / rate : 0, machine.log.steps.length];
+  const line = s.kind === "line" ? { x: s.to.x - s.from.x, y: s.to.y - s.from.y, z: (toZ ?? 0) - (fromZ ?? toZ ?? 0) } : null;
+  const [seconds, turned] = [secondsOver(machine, long, { feed, line }), machine.log.steps.length];
   // Written out: of the many objects of a long program, copies of objects take most of the time.
   const straight: PlaneStep = feed === null
     ? { kind: "rapid", from, to, radius, block, index, seconds, turned }
@@ -46,7 +61,6 @@ export function millSideStep(
   const [from, end] = [spotOf(before), spotOf(to)];
   if (!from || !end || !machine.roomForMove(index)) return;
   const other = plane === "ZX" ? end.y - from.y : end.x - from.x;
-  const rate = feed === null ? machine.shop.rapid : machine.now.perRevolution ? 0 : feed;
   machine.log.milled.push({
     kind: s.kind === "arc" ? "arc" : feed === null ? "rapid" : "feed",
     from,
@@ -56,7 +70,7 @@ export function millSideStep(
     radius: machine.now.mill.radius ?? 0,
     block: machine.log.numbers[index] ?? 0,
     index,
-    seconds: rate > 0 ? (60 * travelLength(s, other)) / rate : 0,
+    seconds: secondsOver(machine, travelLength(s, other), { feed, line: null }),
     turned: machine.log.steps.length,
   });
 }

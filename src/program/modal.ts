@@ -7,6 +7,7 @@ import type { Compensation, Label } from "../nc/statement.ts";
 import type { BoxCorner } from "./blank-form.ts";
 import { NO_TRANSFORM, type Transform } from "./coordinates-frame.ts";
 import type { UnknownReason } from "./known-values.ts";
+import type { SpindleTurns } from "./machine-data.ts";
 import type { Unit } from "./units.ts";
 import { NOWHERE, type MillPlane, type Pole, type Position } from "./path.ts";
 
@@ -122,7 +123,11 @@ export interface Modal {
   readonly turns: boolean;
   /** It turns the other way round: M4 and its like. */
   readonly backwards: boolean;
+  /** How it turned at the last motion since it was started. */
+  readonly runsAs: SpindleTurns | null;
   readonly tool: Tool | null;
+  /** What the tool is called that was changed in last; null before one was. */
+  readonly changedTo: string | null;
   /** True when a TOOL CALL named a tool that can not be used: that has been told. */
   readonly toolRefused: boolean;
   readonly pole: Pole | null;
@@ -166,7 +171,9 @@ export const AT_START: Modal = {
   spindle: null,
   turns: false,
   backwards: false,
+  runsAs: null,
   tool: null,
+  changedTo: null,
   toolRefused: false,
   pole: null,
   contours: [],

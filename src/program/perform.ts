@@ -15,7 +15,7 @@ export interface Performed extends Pick<Operation, "cycle" | "start" | "tool" | 
 
 /** The moves of a plan as steps of the operation that comes next. */
 function stepsOf(machine: Machine, { start, tool }: Performed, plan: Plan, index: number): readonly Step[] {
-  const { log, now: { spindle }, shop: { rapid } } = machine;
+  const { log, spindle, clock: { rapid } } = machine;
   const what = { tool: plan.tool ?? tool, block: log.numbers[index] ?? 0, operation: log.operations.length, ...log.lineOf(index) };
   let from = start;
   return plan.moves.map((move) => {

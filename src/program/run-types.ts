@@ -50,7 +50,7 @@ export interface Operation {
   readonly feedUnit: FeedUnit;
   readonly spindle: Spindle | null;
   readonly plan: Plan;
-  /** Cutting plus rapid time. */
+  /** Time of its moves. */
   readonly seconds: number;
   /** Its steps in `Run.steps`, both included; `lastStep` is `firstStep - 1` when there are none. */
   readonly firstStep: number;
@@ -68,6 +68,27 @@ export interface Operation {
     readonly start: Pt;
     readonly datum: Pick<Datum, "x" | "z">;
   } | null;
+}
+
+/** Seconds that pass beside the motions: tool changes, the spindle getting to its speed, dwells that are blocks of their own. */
+export interface SecondsBeside {
+  readonly toolChange: number;
+  readonly spindle: number;
+  readonly dwell: number;
+}
+
+/** What a time can contain, in the order in which it is told. */
+export const TIME_PARTS = ["cutting", "rapid", "dwell", "acceleration", "toolChange", "spindle"] as const;
+export type TimePart = (typeof TIME_PARTS)[number];
+
+/** What the running time was worked out with. */
+export interface Timing {
+  readonly beside: SecondsBeside;
+  readonly contains: readonly TimePart[];
+  /** Name of the machine whose data were used; null without one. */
+  readonly machine: string | null;
+  /** Rapid rates, mm/min: of each axis, or one along the path. */
+  readonly rates: number | { readonly x: number; readonly z: number };
 }
 
 /** What a program does: everything that simulation, pictures and reports are made from. Plain data. */
@@ -95,6 +116,7 @@ export interface Run {
   readonly unproved: readonly Unproved[];
   /** All findings in the order of the text, those of operations included. */
   readonly issues: readonly RunFinding[];
-  /** Whole running time. */
+  /** Whole running time, as far as `timing` says. */
   readonly seconds: number;
+  readonly timing: Timing;
 }

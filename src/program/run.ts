@@ -2,6 +2,7 @@ import { cycleByNumber } from "../cycles/index.ts";
 import { issue } from "../kernel/issue.ts";
 import type { Block, Program } from "../nc/program.ts";
 import type { Statement, StatementOf, Words } from "../nc/statement.ts";
+import { assign, assignText } from "./assign.ts";
 import { blankBox, blankCylinder, blankFile, blankOfTurnData, blankRotation, cuboidOf, tellBox, tellMissing,
   turnBlank } from "./blank-block.ts";
 import { contourCycle, contourDefinition, selectContour } from "./contour-choice.ts";
@@ -17,6 +18,7 @@ import { runApproach, chamfer, finish, path } from "./motion.ts";
 import { callProgram, callSelected, PROGRAM_CYCLE, programCycle, selectProgram } from "./program-calls.ts";
 import { runHeldElement } from "./path-block.ts";
 import { NOWHERE } from "./path.ts";
+import { timingOf } from "./run-times.ts";
 import { neverCalled } from "./preconditions.ts";
 import { startedBy, stoppedBy } from "./spindle-start.ts";
 import type { Run } from "./run-types.ts";
@@ -46,6 +48,7 @@ export function runToEnd(machine: Machine, course: RunCourse): Run {
   if (ending.word === null && !ending.told && machine.log.steps.length > 0)
     machine.log.say(programIssue("programEndMissing", "warning", {}), program.blocks.length - 1);
   if (machine.log.operations.length > 0 && machine.now.blank.length === 0) tellMissing(machine);
+  const { toolChange, spindle, dwell } = machine.log.beside;
   return {
     program: {
       name: frame.name,
@@ -64,7 +67,8 @@ export function runToEnd(machine: Machine, course: RunCourse): Run {
     spindles: machine.log.spindles,
     unproved: machine.log.unproved,
     issues: machine.log.allFindings(),
-    seconds: machine.log.milled.reduce((sum, s) => sum + s.seconds, machine.log.seconds),
+    seconds: machine.log.milled.reduce((sum, s) => sum + s.seconds, machine.log.seconds + toolChange + spindle + dwell),
+    timing: timingOf(machine.shop, machine.log.beside),
   };
 }
 
@@ -102,8 +106,8 @@ const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: Stat
   scale: (machine, s, index) => scaleAxes(machine, s.factor, { what: "TRANS SCALE", index }),
   plane: (machine, s, index) => textBlock(machine, s.text, index),
   spin,
-  assign: (machine, s, index) => machine.assign(s, index),
-  assignText: (machine, s, index) => machine.assignText(s, index),
+  assign,
+  assignText,
   cycle: (machine, _, index) => cycleDefinition(machine, index),
   cycleLine,
   cycleCall: (machine, s, index) => (s.how === "" ? callCycle(machine, index) : callPattern(machine, s.how, index)),

@@ -1,5 +1,6 @@
 import type { Issue } from "../kernel/issue.ts";
 import type { Tool } from "../kernel/tool.ts";
+import type { MachineData } from "./machine-data.ts";
 import type { PlanMemory } from "./plan-memory.ts";
 import type { Control, Mill } from "./plane-types.ts";
 import type { ProgramFiles } from "./program-files.ts";
@@ -10,8 +11,10 @@ export interface Shop {
   readonly tools: readonly Tool[];
   /** Tools whose columns are impossible, with what is wrong. */
   readonly refused?: ReadonlyMap<number, readonly Issue[]>;
-  /** Rapid rate for times, mm/min. */
+  /** Rapid rate for times where the machine states none, mm/min. */
   readonly rapid: number;
+  /** What the machine can do, as far as it is known. */
+  readonly machine?: MachineData;
   /** Milling tools of the table. */
   readonly mills?: readonly Mill[];
   /** Which control it is: how APPR and DEP move in the tool axis. "TNC 640" when absent. */

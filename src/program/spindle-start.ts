@@ -24,7 +24,7 @@ export function startedBy(machine: Machine, { functions }: Words): void {
 
 /** What they stop at its end. */
 export function stoppedBy(machine: Machine, { functions }: Words): void {
-  if (functions.some((m) => STOPS_SPINDLE.includes(m))) machine.set({ turns: false });
+  if (functions.some((m) => STOPS_SPINDLE.includes(m))) machine.set({ turns: false, runsAs: null });
 }
 
 /** A call with a speed and no start. Silent where blocks that nobody here knows came before: any of them may have started the spindle. */

@@ -1,5 +1,5 @@
 import type { Spindle, Step } from "../kernel/step.ts";
-import { secondsOf } from "../kernel/time.ts";
+import { secondsOf, type RapidRate } from "../kernel/time.ts";
 
 /** What moves along, and the block that says so. */
 export type Motion = Omit<Step, "seconds" | "broughtBy">;
@@ -14,8 +14,8 @@ export const timed = (steps: readonly Step[]): TimedSteps => ({ steps, seconds: 
 
 const STILL: Spindle = { kind: "constant", speed: 0 };
 
-/** A motion with the time that it takes. `rapid` in mm/min. */
-export const stepOf = ({ from, move, tool, block, operation, ...line }: Motion, spindle: Spindle | null, rapid: number): Step => ({
+/** A motion with the time that it takes. */
+export const stepOf = ({ from, move, tool, block, operation, ...line }: Motion, spindle: Spindle | null, rapid: RapidRate): Step => ({
   from,
   move,
   tool,

@@ -17,6 +17,7 @@ export function toolDefinition(machine: Machine, s: StatementOf<"toolDefinition"
 export function toolCall(machine: Machine, s: StatementOf<"toolCall">, index: number): void {
   if (s.axis !== null) machine.setMill({ otherAxis: s.axis !== "Z" });
   const wanted = typeof s.tool === "object" && s.tool !== null ? toolOf(machine, s.tool, index) : s.tool;
+  if (s.tool !== null) changeTool(machine, wanted);
   if (wanted === null && s.tool !== null) unknownTool(machine);
   if (wanted !== null) takeMill(machine, s, wanted, index);
   if (typeof s.feed === "object" && s.feed) {
@@ -29,6 +30,17 @@ export function toolCall(machine: Machine, s: StatementOf<"toolCall">, index: nu
 
 const toolOf = (machine: Machine, held: Parameter, index: number) =>
   held.parameter.startsWith("QS") ? machine.text(held.parameter, index) : machine.number(held, index);
+
+/** A tool change takes its time unless the tool is in already: the index behind the point is another edge of it. */
+function changeTool(machine: Machine, wanted: number | string | null): void {
+  const { shop: { tools, mills = [], machine: data }, log, now } = machine;
+  const row = wanted === null ? undefined : (find(tools, wanted) ?? find(mills, wanted));
+  const number = row?.T ?? wanted;
+  const name = typeof number === "number" ? String(Math.floor(number)) : number;
+  if (name !== null && name === now.changedTo) return;
+  machine.set({ changedTo: name });
+  log.takes("toolChange", data?.toolChange ?? 0);
+}
 
 /** Nobody knows which tool is called: the one before is not in the spindle any more. */
 function unknownTool(machine: Machine): void {

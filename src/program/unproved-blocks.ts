@@ -1,6 +1,7 @@
 import { cycleByNumber } from "../cycles/index.ts";
 import type { CycleParameter } from "../nc/statement.ts";
 import { NUMBER_PARAMETER, PARAMETER, readValue, VALUE } from "../nc/value.ts";
+import { dwellFunction, dwellLine, DWELL_CYCLE } from "./dwell.ts";
 import type { Machine } from "./machine.ts";
 
 /**
@@ -59,7 +60,7 @@ export function textBlock(machine: Machine, text: string, index: number): void {
   if (SQL.test(text)) return readTable(machine, text);
   const assigned = UNREAD_ASSIGNMENT.exec(text)?.[1];
   if (assigned !== undefined) return machine.known.forget(assigned.toUpperCase());
-  if (HARMLESS.test(text)) return;
+  if (HARMLESS.test(text)) return dwellFunction(machine, text, index);
   const read = READING.exec(text)?.[1];
   if (read !== undefined) return machine.known.forget(read.toUpperCase());
   if (/^PLANE[ \t]/i.test(text) && !changes(machine, text, 0, index, /^(?!(?:MB|F|DIST)$)/i)) return;
@@ -74,12 +75,13 @@ const PRESET = 247;
 const SILENT: ReadonlySet<number> = new Set([9, 13, 32, PRESET]);
 export const isSilent = (cycle: number): boolean => SILENT.has(cycle);
 
-/** One line of an older cycle that acts at once and is not run: the tilted plane. */
+/** One line of an older cycle that acts at once: a dwell takes its time, the tilted plane is not run. */
 export function actingLine(
   machine: Machine,
   { cycle, line, text }: { readonly cycle: number; readonly line: number; readonly text: string },
   index: number,
 ): void {
+  if (line > 0 && cycle === DWELL_CYCLE) dwellLine(machine, text, index);
   if (line > 0 && cycle === WORKING_PLANE && changes(machine, text, 0, index)) machine.log.leaveUnproved(`CYCL DEF ${cycle}`, index);
 }
 

@@ -7,7 +7,8 @@ import { part, type Pt, type Segment } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { toDiameter } from "../kernel/units.ts";
 import { programIssue } from "../program/issue.ts";
-import type { Operation, Run, RunFinding } from "../program/run-types.ts";
+import { timesOf, type Times } from "../program/run-times.ts";
+import type { Operation, Run, RunFinding, Timing } from "../program/run-types.ts";
 import { stockIssues, type ProofIssue } from "../sim/issues.ts";
 import type { Simulation, Verdict } from "../sim/simulation.ts";
 import { remedies } from "./remedies.ts";
@@ -82,9 +83,13 @@ export interface Report {
     readonly verdict: Verdict;
     readonly reasons: readonly VerdictReason[];
   };
+  readonly time: ReportTime;
   readonly issues: readonly ReportIssue[];
   readonly milliseconds: Milliseconds;
 }
+
+/** Running time by what it passes for, s, and what it was worked out with. */
+export interface ReportTime extends Times, Omit<Timing, "beside"> {}
 
 /** Arcs of a reported contour stay this near to their circle: 1 µm. */
 const CONTOUR_CHORD = 0.001;
@@ -159,6 +164,7 @@ function residualsOf({ run, simulation, tools = [] }: Checked): ReportResidual[]
 /** Puts a run and its simulation into the form of the report, with sentences in one language. */
 export function report(checked: Checked, language: Language): Report {
   const { file, run, simulation, milliseconds } = checked;
+  const { beside: _, ...timing } = run.timing;
   const judged = verdictOf(run, simulation);
   const { gouge, rapidInStock, cut, airPasses, deepest, holder } = simulation.proof;
   const proved = stockIssues(simulation);
@@ -223,6 +229,7 @@ export function report(checked: Checked, language: Language): Report {
       ...simulation.proof.unproved.slice(run.unproved.length).map(({ what, block }) => notProved(what, block)),
       ...proved.map(proofIssue),
     ],
+    time: { ...timesOf(run), ...timing },
     milliseconds,
   };
 }

@@ -4,14 +4,35 @@ import type { VerdictReason } from "./verdict.ts";
 const fixed = (n: number, decimals: number) => String(Number(n.toFixed(decimals)));
 
 /** Minutes and seconds. */
-function duration(seconds: number): string {
+function minutes(seconds: number): string {
   const whole = Math.round(seconds);
-  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")} min`;
+  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
 }
+
+const duration = (seconds: number): string => `${minutes(seconds)} min`;
 
 const operationLine = (o: ReportOperation) =>
   `  block ${o.block}: cycle ${o.cycle}, tool ${o.tool["T"]} ${o.tool["NAME"]}, from X${fixed(o.start.x, 3)} Z${fixed(o.start.z, 3)}: `
   + `${o.passes} passes of ${fixed(o.infeed, 3)} mm, ${o.moves.length} moves, ${duration(o.seconds)}`;
+
+/** What a time can lack, as it is told. */
+const LACKED = [["acceleration", "acceleration"], ["toolChange", "tool changes"], ["spindle", "run-up of the spindle"]] as const;
+
+/** The running time by its causes, and what it was worked out with. */
+function timeLine({ total, cutting, dwell, rapid, rates, toolChange, spindle, contains, machine }: Report["time"]): string {
+  const meters = (rate: number) => fixed(rate / 1000, 3);
+  const rate = typeof rates === "number" ? `${meters(rates)} m/min` : `X ${meters(rates.x)}, Z ${meters(rates.z)} m/min`;
+  const parts = [
+    `cutting ${minutes(cutting)}`,
+    ...(dwell > 0 ? [`dwell ${minutes(dwell)}`] : []),
+    `rapid ${minutes(rapid)} at ${rate}`,
+    ...(toolChange > 0 ? [`tool changes ${minutes(toolChange)}`] : []),
+    ...(spindle > 0 ? [`spindle ${minutes(spindle)}`] : []),
+  ];
+  const lacked = LACKED.filter(([part]) => !contains.includes(part)).map(([, name]) => name);
+  const source = machine === null ? "no machine data" : `machine ${machine}`;
+  return `  time ${duration(total)}: ${parts.join(", ")}; ${source}${lacked.length > 0 ? `, without ${lacked.join(", ")}` : ""}`;
+}
 
 const many = (n: number, one: string, more: string) => `${n} ${n === 1 ? one : more}`;
 const inBlock = (block: number | null) => (block === null ? "" : ` in block ${block}`);
@@ -86,6 +107,7 @@ export function summary(r: Report): string {
     + ` mm² in ${many(residual.length, "place", "places")}`,
     ...residual.map(leftLine),
     cutLine(r.proof),
+    timeLine(r.time),
     ...r.issues.map((i) =>
       `  ${i.severity}${i.block === undefined ? "" : ` in block ${i.block}`}${placeInFile(i.inFile)}${
         i.at === undefined ? "" : ` (${i.at})`

@@ -5,6 +5,7 @@ import type { Step } from "../../src/kernel/step.ts";
 import type { Spindle } from "../../src/kernel/step.ts";
 import { secondsOf } from "../../src/kernel/time.ts";
 import { axial, feed, length, radius } from "../../src/kernel/units.ts";
+import { NO_TIMING } from "../../src/program/run-times.ts";
 import type { Operation, Run } from "../../src/program/run-types.ts";
 import { shippedTools } from "../../src/program/shipped-tools.ts";
 import { simulate } from "../../src/sim/simulate.ts";
@@ -108,6 +109,7 @@ export function exampleResult({ fault, many }: { readonly fault: boolean; readon
     unproved: [],
     issues: [],
     seconds,
+    timing: NO_TIMING,
   };
   return { run, simulation: simulate({ blank, steps, operations: [operation], unproved: [] }) };
 }

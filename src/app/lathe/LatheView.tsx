@@ -1,5 +1,6 @@
 import { Suspense, useEffect, useId, useMemo, useState } from "react";
 import type { KnownWork } from "../../program/known-work.ts";
+import { NO_TIMING } from "../../program/run-times.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Pt, Ring } from "../../kernel/point.ts";
 import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
@@ -81,6 +82,7 @@ const EMPTY_RUN: Run = {
   unproved: [],
   issues: [],
   seconds: 0,
+  timing: NO_TIMING,
 };
 
 const partsOf = (run: Run): SceneParts => ({ blank: run.blank, contours: run.operations.map((o) => o.plan.contour), steps: run.steps });

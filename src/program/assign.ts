@@ -1,0 +1,24 @@
+import type { Statement } from "../nc/statement.ts";
+import { formulaOf, textOf, type Trouble } from "./formula.ts";
+import type { Machine } from "./machine.ts";
+
+/** A Q parameter takes the value of a formula. */
+export function assign(machine: Machine, s: Extract<Statement, { kind: "assign" }>, index: number): void {
+  if (s.formula.kind === "undefined") return machine.known.unset(s.target);
+  keep(machine, s.target, formulaOf(s.formula, machine.parameters, machine.known.texts), index);
+}
+
+/** A QS parameter takes a text. */
+export function assignText(machine: Machine, s: Extract<Statement, { kind: "assignText" }>, index: number): void {
+  keep(machine, s.target, textOf(s.text, machine.parameters, machine.known.texts), index);
+}
+
+/** Keeps what was worked out; what hangs on a value that nobody knows is not known either. */
+function keep(machine: Machine, target: string, result: number | string | Trouble, index: number): void {
+  const { known } = machine;
+  if (typeof result === "string") return known.setText(target, result);
+  const passedOn = typeof result !== "number" && result.kind === "unset" ? known.reasonOf(result.name) : null;
+  const n = passedOn ? null : machine.settle(result, index);
+  if (n === null) known.forget(target, passedOn ?? "told");
+  else known.set(target, n);
+}

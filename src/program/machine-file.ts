@@ -1,0 +1,167 @@
+import { z } from "zod/mini";
+import type { MachineData } from "./machine-data.ts";
+import { isNcOutput, type NcOutput } from "./nc-output.ts";
+
+/** The first member of a machine file: what it is, and which edition of it. */
+const FORMAT = "turnwise-machine/", EDITION = 1;
+export const MACHINE_FORMAT = `${FORMAT}${EDITION}`;
+
+/** A machine as a file: what times are worked out with, and how programs are written for it. */
+export interface MachineFile extends MachineData {
+  readonly output?: NcOutput;
+}
+
+/** Longest name, characters; longest file that is read. */
+export const LONGEST_MACHINE_NAME = 60, LONGEST_MACHINE = 10_000;
+/** Points of a torque curve at least and at most. */
+const FEWEST_POINTS = 2, MOST_POINTS = 20;
+
+/** Lowest and highest value of each number, in its unit: wide enough for any lathe, and too narrow for a slip of units. */
+export const MACHINE_RANGES = {
+  /** mm/min */
+  rapid: [100, 200_000],
+  /** m/s² */
+  acceleration: [0.05, 50],
+  /** s */
+  toolChange: [0, 600],
+  /** rpm */
+  most: [10, 99_999],
+  /** s */
+  runUp: [0, 120],
+  /** kW */
+  power: [0.1, 500],
+  /** rpm, Nm */
+  speed: [0, 99_999],
+  torque: [0.1, 100_000],
+} as const satisfies Readonly<Record<string, readonly [low: number, high: number]>>;
+
+const within = (name: keyof typeof MACHINE_RANGES) => {
+  const [low, high] = MACHINE_RANGES[name];
+  return z.number().check(z.gte(low), z.lte(high));
+};
+const axes = (name: "rapid" | "acceleration") => z.optional(z.strictObject({ x: within(name), z: within(name) }));
+
+type Points = readonly { readonly speed: number }[];
+const rise = (points: Points) => points.every(({ speed }, i) => i === 0 || speed > (points[i - 1]?.speed ?? Infinity));
+
+const spindle = z.strictObject({
+  most: within("most"),
+  runUp: z.optional(within("runUp")),
+  power: z.optional(within("power")),
+  torque: z.optional(
+    z.array(z.strictObject({ speed: within("speed"), torque: within("torque") })).check(z.minLength(FEWEST_POINTS),
+      z.maxLength(MOST_POINTS), z.refine(rise, { params: { kind: "order" } })),
+  ),
+});
+
+/** The machine file. */
+export const machineSchema = z.strictObject({
+  format: z.literal(MACHINE_FORMAT),
+  name: z.string().check(z.minLength(1), z.maxLength(LONGEST_MACHINE_NAME)),
+  rapid: axes("rapid"),
+  acceleration: axes("acceleration"),
+  toolChange: z.optional(within("toolChange")),
+  spindle: z.optional(spindle),
+  output: z.optional(z.custom<NcOutput>(isNcOutput)),
+}).check(z.refine(({ rapid, acceleration }) => rapid !== undefined || acceleration === undefined, {
+  path: ["acceleration"],
+  params: { kind: "alone" },
+}));
+
+/** What is wrong with a machine file, and where: `spindle.torque.2.speed`, empty for the whole file. */
+export interface MachineProblem {
+  readonly kind: "notJson" | "notMachine" | "newer" | "missing" | "unknown" | "low" | "high" | "wrong" | "order" | "alone";
+  readonly at: string;
+  /** The bound that is passed. */
+  readonly limit?: number;
+}
+
+type Found = NonNullable<ReturnType<typeof machineSchema.safeParse>["error"]>["issues"][number];
+
+/** The value at a path in plain data. */
+const valueAt = (raw: unknown, path: readonly PropertyKey[]): unknown =>
+  path.reduce<unknown>((value, key) => (typeof value === "object" && value !== null ? (value as Record<PropertyKey, unknown>)[key] : undefined),
+    raw);
+
+function problemOf(found: Found, raw: unknown): MachineProblem {
+  const at = found.path.map(String).join(".");
+  switch (found.code) {
+    case "unrecognized_keys":
+      return { kind: "unknown", at: [...found.path.map(String), found.keys[0] ?? ""].join(".") };
+    case "too_small":
+      return { kind: "low", at, limit: Number(found.minimum) };
+    case "too_big":
+      return { kind: "high", at, limit: Number(found.maximum) };
+    case "custom":
+      return { kind: found.params?.["kind"] === "order" ? "order" : found.params?.["kind"] === "alone" ? "alone" : "wrong", at };
+    default:
+      return { kind: valueAt(raw, found.path) === undefined ? "missing" : "wrong", at };
+  }
+}
+
+const isRecord = (raw: unknown): raw is Readonly<Record<string, unknown>> => typeof raw === "object" && raw !== null && !Array.isArray(raw);
+
+/** A machine file that is read, or all that is wrong with it. */
+export type ReadMachine = { readonly machine: MachineFile } | { readonly problems: readonly [MachineProblem, ...MachineProblem[]] };
+
+const refusal = (kind: MachineProblem["kind"]): ReadMachine => ({ problems: [{ kind, at: "" }] });
+
+/** Reads the text of a machine file. Never throws. */
+export function readMachine(text: string): ReadMachine {
+  let raw: unknown = null;
+  try {
+    raw = text.length > LONGEST_MACHINE ? null : JSON.parse(text);
+  } catch {
+    return refusal("notJson");
+  }
+  const format = isRecord(raw) && typeof raw["format"] === "string" ? raw["format"] : "";
+  if (!format.startsWith(FORMAT)) return refusal("notMachine");
+  if (Number(format.slice(FORMAT.length)) > EDITION) return refusal("newer");
+  const read = machineSchema.safeParse(raw);
+  if (!read.success) {
+    const [first, ...others] = read.error.issues.map((found) => problemOf(found, raw));
+    return first ? { problems: [first, ...others] } : refusal("wrong");
+  }
+  const { format: _, ...machine } = read.data;
+  return { machine: machine as MachineFile };
+}
+
+/** A machine as the text of its file, in the order of the format. Nothing is rounded. */
+export function writeMachine({ name, rapid, acceleration, toolChange, spindle: own, output }: MachineFile): string {
+  return `${JSON.stringify({ format: MACHINE_FORMAT, name, rapid, acceleration, toolChange, spindle: own, output }, null, 2)}\n`;
+}
+
+/** The machine of a kept text, as times need it; null where it is empty or none. */
+export function machineOf(text: string): MachineData | null {
+  const read = text === "" ? null : readMachine(text);
+  if (!read || "problems" in read) return null;
+  const { output: _, ...data } = read.machine;
+  return data;
+}
+
+/** Machines to begin with. Their figures are examples of their class, not those of any make: the owner replaces them. */
+export const EXAMPLE_MACHINES = {
+  small: {
+    name: "Turning centre, small",
+    rapid: { x: 24_000, z: 30_000 },
+    acceleration: { x: 4, z: 5 },
+    toolChange: 1.5,
+    spindle: { most: 6000, runUp: 2, power: 11, torque: [{ speed: 0, torque: 70 }, { speed: 1500, torque: 70 }, { speed: 6000, torque: 17.5 }] },
+  },
+  millTurn: {
+    name: "Milling/turning centre",
+    rapid: { x: 40_000, z: 40_000 },
+    acceleration: { x: 5, z: 5 },
+    toolChange: 9,
+    spindle: { most: 1200, runUp: 3, power: 40, torque: [{ speed: 0, torque: 950 }, { speed: 400, torque: 950 }, { speed: 1200, torque: 318 }] },
+  },
+  large: {
+    name: "Lathe, large",
+    rapid: { x: 10_000, z: 12_000 },
+    acceleration: { x: 1, z: 1 },
+    toolChange: 4,
+    spindle: { most: 1600, runUp: 8, power: 37, torque: [{ speed: 0, torque: 1400 }, { speed: 250, torque: 1400 }, { speed: 1600, torque: 220 }] },
+  },
+} as const satisfies Readonly<Record<string, MachineData>>;
+export type ExampleMachine = keyof typeof EXAMPLE_MACHINES;
+export const EXAMPLE_MACHINE_NAMES = Object.keys(EXAMPLE_MACHINES) as readonly ExampleMachine[];
