@@ -5,9 +5,11 @@ import { cycleSvg } from "./cycle-picture.ts";
 import { cyclePage } from "./cycle-page.ts";
 import { isoPage } from "./iso-page.ts";
 import { klartextPage } from "./klartext-page.ts";
+import { machineJsonSchema } from "./machine-schema.ts";
 
 /**
- * `npm run docs`: writes the page of every cycle, its picture beside it, the page of all blocks and the page of DIN/ISO. Runs in the
+ * `npm run docs`: writes the page of every cycle, its picture beside it, the page of all blocks, the page of DIN/ISO and the schema of
+ * machine files. Runs in the
  * project folder.
  */
 export function main(): number {
@@ -21,5 +23,6 @@ export function main(): number {
   }
   writeFileSync(join("docs", "klartext.md"), klartextPage());
   writeFileSync(join("docs", "din-iso.md"), isoPage());
+  writeFileSync(join("docs", "machine.schema.json"), machineJsonSchema());
   return 0;
 }

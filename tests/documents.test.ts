@@ -4,6 +4,7 @@ import { describe, expect, test } from "vitest";
 import { cycleSvg } from "../scripts/cycle-picture.ts";
 import { cyclePage } from "../scripts/cycle-page.ts";
 import { klartextPage } from "../scripts/klartext-page.ts";
+import { machineJsonSchema } from "../scripts/machine-schema.ts";
 import { catalogue } from "../src/cycles/index.ts";
 import { projectFile, projectFolder, projectPath } from "./sources.ts";
 
@@ -15,6 +16,9 @@ describe("pages written from the catalogue", () => {
   });
 
   test("the page of all blocks is what `npm run docs` writes", () => expect(projectFile("docs/klartext.md")).toBe(klartextPage()));
+
+  test("the schema of machine files is what `npm run docs` writes", () =>
+    expect(projectFile("docs/machine.schema.json")).toBe(machineJsonSchema()));
 
   test("there is no page without its cycle", () => {
     expect(projectFolder("docs/cycles").sort()).toEqual(

@@ -91,7 +91,7 @@ export const handedOn = ({ job, program }: Editor): HandedOn => job ?? program ?
 
 /** A work with something else that it brings along. */
 export const withHandedOn = <W extends Job | ProgramWork>(work: W, next: HandedOn): W => {
-  const { tools: _, control: __, ...bare } = work;
+  const { tools: _, control: __, machine: ___, ...bare } = work;
   return { ...bare, ...next } as unknown as W;
 };
 

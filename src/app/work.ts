@@ -33,7 +33,14 @@ export interface ProgramWork extends WorkFile, HandedOn {
 }
 
 /** What a work brings along, and nothing else of it. */
-export const broughtBy = ({ tools, control }: HandedOn): HandedOn => ({ ...(tools && { tools }), ...(control && { control }) });
+export const broughtBy = ({ tools, control, machine }: HandedOn): HandedOn => ({
+  ...(tools && { tools }),
+  ...(control && { control }),
+  ...(machine !== undefined && { machine }),
+});
+
+/** Longest machine file that is read and kept, characters. */
+export const LONGEST_MACHINE = 10_000;
 
 /** Longest remarks of a setup sheet, characters: they fill a page. */
 export const LONGEST_REMARKS = 4000;

@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { expect, test } from "vitest";
 import type { Move } from "./move.ts";
 import type { Pt } from "./point.ts";
-import { secondsOf, speedAt } from "./time.ts";
+import { secondsOf, speedAt, withinLimit } from "./time.ts";
 import { axial, degrees, feed, length, radius } from "./units.ts";
 
 const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
@@ -72,4 +72,38 @@ test("no feed and no speed take no time", () => {
   expect(secondsOf(at(0, 0), cut(at(5, 5), 0), constant, 1)).toBe(0);
   expect(secondsOf(at(0, 0), cut(at(5, 5)), { kind: "constant", speed: 0 }, 1)).toBe(0);
   expect(secondsOf(at(0, 0), { kind: "rapid", to: at(5, 5), ...purpose }, constant, 0)).toBe(0);
+});
+
+const axes = { x: { rate: 10_000, acceleration: 2 }, z: { rate: 20_000, acceleration: 4 } };
+
+test("rapid axes start and arrive together: the slower one for its share sets the rate", () => {
+  const even = { x: { rate: 6000 }, z: { rate: 12_000 } };
+  expect(secondsOf(at(0, 0), { kind: "rapid", to: at(30, 40), ...purpose }, surface, even)).toBeCloseTo(0.4, 12);
+  expect(secondsOf(at(0, 0), { kind: "rapid", to: at(100, 40), ...purpose }, surface, even)).toBeCloseTo(0.5, 12);
+  expect(secondsOf(at(7, 3), { kind: "rapid", to: at(7, 3), ...purpose }, surface, even)).toBe(0);
+});
+test("a rapid that is too short for its rate is all ramp; just long enough, both rules agree", () => {
+  expect(secondsOf(at(5, 0), { kind: "rapid", to: at(0, 0), ...purpose }, surface, axes)).toBeCloseTo(2 * Math.sqrt(5 / 4000), 12);
+  const enough = (20_000 / 60) ** 2 / 4000;
+  expect(secondsOf(at(0, 0), { kind: "rapid", to: at(enough, 0), ...purpose }, surface, axes)).toBeCloseTo(2 * Math.sqrt(enough / 4000),
+    12);
+  expect(secondsOf(at(0, 0), { kind: "rapid", to: at(200, 0), ...purpose }, surface, axes)).toBeCloseTo(0.6 + 1 / 12, 12);
+});
+test("a law of rapids: never sooner than without acceleration, and the same both ways", () => {
+  const place = fc.tuple(fc.double({ min: -300, max: 300, noNaN: true }), fc.double({ min: -300, max: 300, noNaN: true }));
+  fc.assert(fc.property(place, place, ([z, r], [toZ, toR]) => {
+    const rapid = (from: Pt, to: Pt, rates: Parameters<typeof secondsOf>[3]) =>
+      secondsOf(from, { kind: "rapid", to, ...purpose }, surface, rates);
+    const [a, b] = [at(z, r), at(toZ, toR)];
+    const ramped = rapid(a, b, axes);
+    expect(ramped).toBeGreaterThanOrEqual(rapid(a, b, { x: { rate: 10_000 }, z: { rate: 20_000 } }));
+    expect(rapid(b, a, axes)).toBeCloseTo(ramped, 9);
+  }));
+});
+test("a machine limits a constant speed and a constant cutting speed, and leaves what is slower as it is", () => {
+  expect(withinLimit(constant, 500)).toEqual({ kind: "constant", speed: 500 });
+  expect(withinLimit(constant, 550)).toBe(constant);
+  expect(withinLimit(surface, 1900)).toEqual({ ...surface, limit: 1900 });
+  expect(withinLimit({ ...surface, limit: 0 }, 1900)).toEqual({ ...surface, limit: 1900 });
+  expect(withinLimit(surface, 2500)).toBe(surface);
 });

@@ -74,6 +74,8 @@ export interface HandedOn {
   /** The only tools that it can call, as typed. */
   readonly tools?: ToolList;
   readonly control?: Control;
+  /** Text of the machine file that its times are worked out with; empty where that is none. */
+  readonly machine?: string;
 }
 
 /** What a work is that was begun as a task of the course, or of an instructor. */

@@ -91,7 +91,8 @@ export class Log {
 
   /** How far it is now; nothing of another program may have been said yet. */
   get moment(): LogMoment {
-    const { steps, milled, operations, approaches, spindles, findings, unproved, stated, said, left, datums, firstBlank, seconds, beside } = this;
+    const { steps, milled, operations, approaches, spindles, findings, unproved, stated, said, left, datums, firstBlank, seconds, beside } =
+      this;
     return {
       counts: {
         steps: steps.length,

@@ -16,8 +16,8 @@ export class MachineClock {
   /** What rapids are timed with. */
   readonly rapid: RapidRate;
   private readonly data: MachineData["spindle"];
-  /** The programmed spindle that was limited last, and what the machine makes of it: the same one stays the same. */
-  private last: { readonly of: Spindle; readonly is: Spindle } | null = null;
+  /** What it makes of programmed spindles: the same one stays the same. */
+  private readonly known = new WeakMap<Spindle, Spindle>();
 
   constructor(timed: MachineTimed) {
     this.rapid = rapidRateOf(timed);
@@ -27,15 +27,19 @@ export class MachineClock {
   /** A spindle as it turns: as programmed, and no faster than the machine lets it. */
   limited(spindle: Spindle | null): Spindle | null {
     if (!spindle || !this.data) return spindle;
-    if (this.last?.of !== spindle) this.last = { of: spindle, is: withinLimit(spindle, this.data.most) };
-    return this.last.is;
+    const made = this.known.get(spindle) ?? withinLimit(spindle, this.data.most);
+    this.known.set(spindle, made);
+    return made;
   }
 
   /**
    * Seconds until the spindle turns as is programmed now, at a distance of `r` mm from the axis: from rest, from another speed, or from
    * turning the other way. Along a cut at constant cutting speed it follows by itself. Null where it turns so already.
    */
-  runUp({ turns, backwards, runsAs, spindle: programmed }: Modal, r: number): { readonly seconds: number; readonly runsAs: SpindleTurns } | null {
+  runUp(
+    { turns, backwards, runsAs, spindle: programmed }: Modal,
+    r: number,
+  ): { readonly seconds: number; readonly runsAs: SpindleTurns } | null {
     const spindle = this.limited(programmed);
     if (!turns || !spindle || !this.data || (runsAs?.spindle === spindle && runsAs.backwards === backwards)) return null;
     const [was, is] = [runsAs ? speedAt(runsAs.spindle, r) : 0, speedAt(spindle, r)];

@@ -48,7 +48,7 @@ export interface MachineTimed {
   readonly machine?: MachineData;
 }
 
-/** The power of a spindle at a speed in rpm, kW: what its torque gives there, and never more than its power; null where neither is stated. */
+/** Power of a spindle at a speed in rpm, kW: what its torque gives, and never more than its power; null where neither is stated. */
 export function powerAt({ power, torque = [] }: SpindleData, speed: number): number | null {
   const above = torque.findIndex((point) => point.speed >= speed);
   const [low, high] = [torque[above < 0 ? torque.length - 1 : Math.max(0, above - 1)], torque[above < 0 ? torque.length - 1 : above]];

@@ -11,8 +11,8 @@ export interface MachineFile extends MachineData {
   readonly output?: NcOutput;
 }
 
-/** Longest name, characters; longest file that is read. */
-export const LONGEST_MACHINE_NAME = 60, LONGEST_MACHINE = 10_000;
+/** Longest name, and longest file that is read, characters. */
+const LONGEST_NAME = 60, LONGEST_FILE = 10_000;
 /** Points of a torque curve at least and at most. */
 const FEWEST_POINTS = 2, MOST_POINTS = 20;
 
@@ -57,7 +57,7 @@ const spindle = z.strictObject({
 /** The machine file. */
 export const machineSchema = z.strictObject({
   format: z.literal(MACHINE_FORMAT),
-  name: z.string().check(z.minLength(1), z.maxLength(LONGEST_MACHINE_NAME)),
+  name: z.string().check(z.minLength(1), z.maxLength(LONGEST_NAME)),
   rapid: axes("rapid"),
   acceleration: axes("acceleration"),
   toolChange: z.optional(within("toolChange")),
@@ -80,8 +80,10 @@ type Found = NonNullable<ReturnType<typeof machineSchema.safeParse>["error"]>["i
 
 /** The value at a path in plain data. */
 const valueAt = (raw: unknown, path: readonly PropertyKey[]): unknown =>
-  path.reduce<unknown>((value, key) => (typeof value === "object" && value !== null ? (value as Record<PropertyKey, unknown>)[key] : undefined),
-    raw);
+  path.reduce<unknown>(
+    (value, key) => (typeof value === "object" && value !== null ? (value as Record<PropertyKey, unknown>)[key] : undefined),
+    raw,
+  );
 
 function problemOf(found: Found, raw: unknown): MachineProblem {
   const at = found.path.map(String).join(".");
@@ -110,7 +112,7 @@ const refusal = (kind: MachineProblem["kind"]): ReadMachine => ({ problems: [{ k
 export function readMachine(text: string): ReadMachine {
   let raw: unknown = null;
   try {
-    raw = text.length > LONGEST_MACHINE ? null : JSON.parse(text);
+    raw = text.length > LONGEST_FILE ? null : JSON.parse(text);
   } catch {
     return refusal("notJson");
   }
@@ -146,21 +148,36 @@ export const EXAMPLE_MACHINES = {
     rapid: { x: 24_000, z: 30_000 },
     acceleration: { x: 4, z: 5 },
     toolChange: 1.5,
-    spindle: { most: 6000, runUp: 2, power: 11, torque: [{ speed: 0, torque: 70 }, { speed: 1500, torque: 70 }, { speed: 6000, torque: 17.5 }] },
+    spindle: {
+      most: 6000,
+      runUp: 2,
+      power: 11,
+      torque: [{ speed: 0, torque: 70 }, { speed: 1500, torque: 70 }, { speed: 6000, torque: 17.5 }],
+    },
   },
   millTurn: {
     name: "Milling/turning centre",
     rapid: { x: 40_000, z: 40_000 },
     acceleration: { x: 5, z: 5 },
     toolChange: 9,
-    spindle: { most: 1200, runUp: 3, power: 40, torque: [{ speed: 0, torque: 950 }, { speed: 400, torque: 950 }, { speed: 1200, torque: 318 }] },
+    spindle: {
+      most: 1200,
+      runUp: 3,
+      power: 40,
+      torque: [{ speed: 0, torque: 950 }, { speed: 400, torque: 950 }, { speed: 1200, torque: 318 }],
+    },
   },
   large: {
     name: "Lathe, large",
     rapid: { x: 10_000, z: 12_000 },
     acceleration: { x: 1, z: 1 },
     toolChange: 4,
-    spindle: { most: 1600, runUp: 8, power: 37, torque: [{ speed: 0, torque: 1400 }, { speed: 250, torque: 1400 }, { speed: 1600, torque: 220 }] },
+    spindle: {
+      most: 1600,
+      runUp: 8,
+      power: 37,
+      torque: [{ speed: 0, torque: 1400 }, { speed: 250, torque: 1400 }, { speed: 1600, torque: 220 }],
+    },
   },
 } as const satisfies Readonly<Record<string, MachineData>>;
 export type ExampleMachine = keyof typeof EXAMPLE_MACHINES;

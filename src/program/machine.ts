@@ -69,7 +69,7 @@ export class Machine {
   /** `before`: a run of a program with the same blocks up to a moment, and that moment, from which this one goes on. */
   constructor(readonly program: Program, readonly shop: Shop, before?: { readonly machine: Machine; readonly at: RunMoment }) {
     const { machine, at } = before ?? {};
-    this.clock = new MachineClock(shop);
+    this.clock = machine?.clock ?? new MachineClock(shop);
     this.blocks = program.blocks;
     this.log = new Log(program, machine && at && { log: machine.log, at: at.log });
     this.parameters = new Map(at?.parameters);

@@ -88,7 +88,8 @@ const areSame = (a: Beside, b: Beside): boolean =>
 
 /** Whether two runs can use the same, apart from programs that they call. */
 const isSameShop = (a: Shop, b: Shop): boolean =>
-  a.rapid === b.rapid && isSame(a.machine, b.machine) && a.control === b.control && a.skipMarked === b.skipMarked && a.memory === b.memory && isSame(a.tools, b.tools)
+  a.rapid === b.rapid && isSame(a.machine, b.machine) && a.control === b.control && a.skipMarked === b.skipMarked && a.memory === b.memory
+  && isSame(a.tools, b.tools)
   && isSame(a.mills, b.mills) && isSame([...(a.refused ?? [])], [...(b.refused ?? [])]);
 
 /** What the former run passed before it looked at anything that is another now. */

@@ -8,6 +8,7 @@ import { compareFromHere, followComparing } from "../effect/before.ts";
 import { areaDecimals, type ComparedNumber } from "../effect/changes.ts";
 import { effectNow } from "../effect/effect.ts";
 import { PinButton } from "../effect/Pinned.tsx";
+import { TimeName } from "../effect/TimeName.tsx";
 import { MoreFaults, useChanges } from "../effect/Was.tsx";
 import { Checking, useChecking } from "../engine/Checking.tsx";
 import { useOutcome } from "../engine/outcome.ts";
@@ -71,7 +72,7 @@ export function TotalsStrip() {
     };
   }, []);
   const { changed } = useChanges();
-  const cell = (name: string, value: ReactNode, unit = "", compared: ComparedNumber | null = null) => (
+  const cell = (name: ReactNode, value: ReactNode, unit = "", compared: ComparedNumber | null = null) => (
     <div className={`effect-cell${compared === "residual" ? " stays" : ""}`}>
       <dt>{name}</dt>
       <dd {...(compared && changed(compared))}>
@@ -87,8 +88,8 @@ export function TotalsStrip() {
         {cell(t.editor.operations, number(operations, 0))}
         {cell(t.editor.toolChanges, number(tools, 0))}
         {cell(words.passes, number(effect?.passes, 0), "", "passes")}
-        {cell(words.time, effect ? words.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 0)) : words.unknown, "",
-          "time")}
+        {cell(<TimeName name={words.time} />,
+          effect ? words.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 0)) : words.unknown, "", "time")}
         {cell(words.residual, effect?.residual
           ? lengths.fixedArea(effect.residual, areaDecimals(effect.residual))
           : effect?.residual === 0

@@ -12,6 +12,7 @@ import { followComparing } from "./before.ts";
 import { areaDecimals, durationText, type ComparedNumber } from "./changes.ts";
 import { chipArea, cutAtOnce, effectNow } from "./effect.ts";
 import { PinButton } from "./Pinned.tsx";
+import { TimeName } from "./TimeName.tsx";
 import { MoreFaults, useChanges } from "./Was.tsx";
 
 /** What the values do, while they are typed: passes, real infeed, time, chip, what stays, and the proof. */
@@ -31,7 +32,7 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
     value === null || value === undefined ? t.effect.unknown : formatFixed(language, value, decimals);
   useEffect(followComparing, []);
   const { changed } = useChanges();
-  const cell = (name: string, value: ReactNode, unit = "", compared: ComparedNumber | null = null) => (
+  const cell = (name: ReactNode, value: ReactNode, unit = "", compared: ComparedNumber | null = null) => (
     <div className={`effect-cell${compared === "residual" ? " stays" : ""}`}>
       <dt>{name}</dt>
       <dd {...(compared && changed(compared))}>
@@ -46,7 +47,7 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
       <dl className={dimmed ? "dimmed" : ""}>
         {cell(t.effect.passes, number(effect?.passes, 0), "", "passes")}
         {cell(t.effect.infeed, number(effect?.infeed, 3), "mm", "infeed")}
-        {cell(t.effect.time, effect ? durationText(texts, language, effect.seconds) : t.effect.unknown, "", "time")}
+        {cell(<TimeName name={t.effect.time} />, effect ? durationText(texts, language, effect.seconds) : t.effect.unknown, "", "time")}
         {cuts && cell(t.effect.chip, number(chip, areaDecimals(chip ?? 0)), "mm²", "chip")}
         {cell(t.effect.residual,
           effect && effect.residual === 0 ? t.effect.none : number(effect?.residual, areaDecimals(effect?.residual ?? 0)),

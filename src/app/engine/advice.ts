@@ -1,6 +1,7 @@
 import type { Wanted } from "../../cycles/wanted.ts";
 import type { Ring } from "../../kernel/point.ts";
 import type { Tool } from "../../kernel/tool.ts";
+import { machineOf } from "../../program/machine-file.ts";
 import type { SetJob } from "../../program/job.ts";
 import { tipAtCall } from "../../program/wanted-job.ts";
 import type { ToolFit } from "../../program/which-tool.ts";
@@ -24,9 +25,14 @@ export const advice = {
   },
 
   /** What comes of one of them. */
-  tryWay(proposal: Proposal, wanted: Wanted, stock: readonly Ring[] | null, shop: Pick<Request, "table" | "rapid" | "control">): Tried {
-    const { table, rapid, control } = shop;
-    return tryWay(proposal, wanted, stock, { ...table, rapid, control });
+  tryWay(
+    proposal: Proposal,
+    wanted: Wanted,
+    stock: readonly Ring[] | null,
+    shop: Pick<Request, "table" | "rapid" | "control" | "machine">,
+  ): Tried {
+    const { table, rapid, control } = shop, machine = machineOf(shop.machine ?? "");
+    return tryWay(proposal, wanted, stock, { ...table, rapid, control, ...(machine && { machine }) });
   },
 
   /** The tools that would take what a call left, the one that leaves least first. */

@@ -1,6 +1,6 @@
 import { printedText } from "../printed.ts";
 import { useEditor } from "../store.ts";
-import { controlInUse, shopOf, toolTable } from "../tools/work-tools.ts";
+import { controlInUse, machineInUse, shopOf, toolTable } from "../tools/work-tools.ts";
 import type { Comparer } from "../which/comparison.ts";
 import { filesOf, isProgram, type ProgramWork, type Work } from "../work.ts";
 import type { Outcome } from "./outcome.ts";
@@ -25,7 +25,7 @@ export async function outcomeBeside(program: ProgramWork, timedAs = useEditor.ge
 
 /** The report on the open work as it stands, and the tools that it takes to come to it; null when that cannot be said. */
 export async function reportOf(work: Work, file: string): Promise<Reported | null> {
-  const shop = { version: 0, table: toolTable(), control: controlInUse() };
+  const shop = { version: 0, table: toolTable(), control: controlInUse(), machine: machineInUse() };
   try {
     const request = isProgram(work)
       ? { ...shop, text: work.text, name: work.name, files: filesOf(work), skipMarked: work.skipMarked ?? false, rapid: USUAL_RAPID }
@@ -48,7 +48,9 @@ export const comparison: Comparer = {
   async tryWay(proposal, wanted, stock) {
     const control = controlInUse();
     try {
-      return await askAgain((engine) => engine.tryWay(proposal, wanted, stock, { table: toolTable(), rapid: USUAL_RAPID, control }));
+      return await askAgain((engine) =>
+        engine.tryWay(proposal, wanted, stock, { table: toolTable(), rapid: USUAL_RAPID, control, machine: machineInUse() })
+      );
     } catch {
       return null;
     }

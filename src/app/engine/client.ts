@@ -11,7 +11,7 @@ import { useSettings } from "../settings/settings.ts";
 import { useEditor, type Editor } from "../store.ts";
 import { useTools } from "../tools/tool-store.ts";
 import { byAndBy, whileTyping } from "../typing.ts";
-import { controlInUse, toolTable } from "../tools/work-tools.ts";
+import { controlInUse, machineInUse, toolTable } from "../tools/work-tools.ts";
 import { filesOf, type ProgramWork, type WorkFile } from "../work.ts";
 import { fetchPlan, forgetPace, notePace, planNow, planSoon, plansBehindDigit, plansLong } from "./page-plan.ts";
 import { pauseInTyping } from "./quiet.ts";
@@ -186,7 +186,7 @@ export function calculateAgain(): void {
   follow(useEditor.getState());
 }
 
-let last: { readonly text: string; readonly table: ShopTools; readonly rapid: number; readonly control: Control;
+let last: { readonly text: string; readonly table: ShopTools; readonly rapid: number; readonly control: Control; readonly machine: string;
   readonly cycle: number | null; readonly work: string | null; readonly program?: ProgramWork } | null = null;
 
 /** Another work, or none: nothing is known of it, and what is still being calculated is not of it. */
@@ -212,13 +212,13 @@ function followProgram(program: ProgramWork, name: string | null): void {
   const isOther = last?.program && fileKey(last.program.name) !== fileKey(program.name);
   if (last && (last.cycle !== null || last.work !== name || isOther)) leave();
   const table = toolTable();
-  const control = controlInUse();
-  if (last && isSameProgram(program, last.program) && last.table === table && last.control === control) return;
+  const [control, machine] = [controlInUse(), machineInUse()];
+  if (last && isSameProgram(program, last.program) && last.table === table && last.control === control && last.machine === machine) return;
   pause(false);
   const { text, skipMarked = false } = program;
-  last = { text, table, rapid: USUAL_RAPID, control, cycle: null, work: name, program };
+  last = { text, table, rapid: USUAL_RAPID, control, machine, cycle: null, work: name, program };
   version += 1;
-  want({ version, text, name: program.name, files: filesOf(program), skipMarked, table, rapid: USUAL_RAPID, control });
+  want({ version, text, name: program.name, files: filesOf(program), skipMarked, table, rapid: USUAL_RAPID, control, machine });
 }
 
 function follow({ job, program, work: name }: Editor): void {
@@ -238,11 +238,12 @@ function follow({ job, program, work: name }: Editor): void {
   const text = printedText(job);
   const rapid = rapidOf(job);
   const table = toolTable();
-  const control = controlInUse();
-  if (last?.text === text && last.table === table && last.rapid === rapid && last.control === control) return;
-  last = { text, table, rapid, control, cycle: job.cycle, work: name };
+  const [control, machine] = [controlInUse(), machineInUse()];
+  const isSame = last?.text === text && last.table === table && last.rapid === rapid && last.control === control;
+  if (isSame && last?.machine === machine) return;
+  last = { text, table, rapid, control, machine, cycle: job.cycle, work: name };
   version += 1;
-  want({ version, text, table, rapid, control });
+  want({ version, text, table, rapid, control, machine });
 }
 
 /** From now on each change of the work, of the tool table or of the control is calculated. */

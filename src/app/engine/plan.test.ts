@@ -1,5 +1,6 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
+import { EXAMPLE_MACHINES, writeMachine } from "../../program/machine-file.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { engine } from "./engine.ts";
 import { planned, planner } from "./plan.ts";
@@ -18,6 +19,7 @@ const requestOf = (text: string) => ({
   text,
   table: { tools: shippedTools, mills: [], refused: new Map() },
   rapid: 8700,
+  machine: writeMachine(EXAMPLE_MACHINES.large),
   control: "TNC7" as const,
 });
 

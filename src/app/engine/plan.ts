@@ -4,6 +4,7 @@ import { readingAgain } from "../../nc/reread.ts";
 import { never } from "../../kernel/never.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Shop } from "../../program/shop.ts";
+import { machineOf } from "../../program/machine-file.ts";
 import { planMemory } from "../../program/plan-memory.ts";
 import { filesByName } from "../../program/program-files.ts";
 import { run } from "../../program/run.ts";
@@ -27,6 +28,7 @@ function planBy(
   runs: (program: Program, shop: Shop, beside: NonNullable<Request["files"]>) => Run | null,
 ): Planned | null {
   const { version, text, name, files = [], skipMarked = false, table, rapid, control } = request;
+  const machine = machineOf(request.machine ?? "");
   atStage("reading");
   const program = read(text);
   atStage("running");
@@ -37,7 +39,7 @@ function planBy(
     if (found) taken.add(found.program);
     return found;
   };
-  const made = runs(program, { ...table, rapid, control, files: { find }, skipMarked, ...known }, files);
+  const made = runs(program, { ...table, rapid, control, files: { find }, skipMarked, ...(machine && { machine }), ...known }, files);
   const marked = [...taken].some(({ blocks }) => blocks.some(({ skip }) => skip));
   return made && { version, text, marked, run: made, simulation: null };
 }

@@ -17,8 +17,10 @@ export interface Request {
   readonly skipMarked?: boolean;
   /** The tools that the program can call. */
   readonly table: ShopTools;
-  /** Rapid rate for times, mm/min. */
+  /** Rapid rate for times where the machine states none, mm/min. */
   readonly rapid: number;
+  /** Text of a machine file; empty or absent for none. */
+  readonly machine?: string;
   /** How APPR and DEP move in the tool axis. */
   readonly control: Control;
 }

@@ -9,7 +9,7 @@ import { Icon } from "../Icon.tsx";
 import { copyText, useCopying } from "../program/copy.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useTexts } from "../settings/use-texts.ts";
-import { controlInUse } from "../tools/work-tools.ts";
+import { controlInUse, machineInUse } from "../tools/work-tools.ts";
 import type { Work } from "../work.ts";
 import { HandingDialog } from "./HandingDialog.tsx";
 import { linkOf } from "./link.ts";
@@ -61,7 +61,7 @@ export function HandOnDialog({ open, verdict, done }: Props) {
     <HandingDialog title={words.title} done={done}>
       <p>{words.lead}</p>
       <section className="handing-along" aria-label={words.along}>
-        <WorkFacts words={words} work={open} control={controlInUse()} tools={tools
+        <WorkFacts words={words} work={open} control={controlInUse()} machine={machineInUse()} tools={tools
           ? tools.map(({ cells }) => words.tool(cells.T ?? "", cells.NAME ?? "")).join(", ") || words.none
           : <span role="status" className="soft">{words.working}</span>} />
         <VerdictText verdict={verdict} reasons={2} />

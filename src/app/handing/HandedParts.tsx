@@ -35,8 +35,11 @@ export function HandedLine() {
   const isTask = useEditor(({ job, program }) => (job ?? program)?.task !== undefined);
   const tools = useEditor((s) => handedOn(s).tools !== undefined);
   const control = useEditor((s) => handedOn(s).control);
+  const machine = useEditor((s) => handedOn(s).machine);
   const device = useSettings((s) => s.control);
-  return !isTask && (tools || (control !== undefined && control !== device)) && (
+  const mine = useSettings((s) => s.machine);
+  const isOther = (control !== undefined && control !== device) || (machine !== undefined && machine !== mine);
+  return !isTask && (tools || isOther) && (
     <Suspense>
       <WorkBar />
     </Suspense>

@@ -18,7 +18,7 @@ export function IncomingDialog() {
 function Inside({ incoming }: { readonly incoming: Incoming }) {
   const words = useHandedTexts();
   const mine = useTools((s) => s.list);
-  const device = useSettings((s) => s.control);
+  const { control: device, machine } = useSettings();
   const { work, from } = incoming;
   const tools = useMemo(() => work.tools && toolsBeside(work.tools, mine), [work, mine]);
   if (!words) return null;
@@ -26,7 +26,7 @@ function Inside({ incoming }: { readonly incoming: Incoming }) {
   return (
     <HandingDialog title={words.inside(work.name)} done={leaveIncoming}>
       <p>{words.from[from]}</p>
-      <WorkFacts words={words} work={work} tools={tools
+      <WorkFacts words={words} work={work} machine={work.machine ?? machine} tools={tools
         ? tools.length === 0 ? words.none : (
           <ul className="handing-tools">
             {tools.map((tool) => (

@@ -5,6 +5,7 @@ import { parse } from "../../nc/parse.ts";
 import { printedText } from "../printed.ts";
 import { useSettings } from "../settings/settings.ts";
 import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { nameOfMachine } from "./machine-name.ts";
 import { filesOf, isProgram, textsOf, type Work } from "../work.ts";
 
 /** Bytes of a text as it is kept. */
@@ -20,8 +21,8 @@ function measured(work: Work) {
 }
 
 /** What a work brings along, fact by fact; what is to be said of its tools and its control besides stands with them. */
-export function WorkFacts({ words, work, tools, control }: { readonly words: HandedTexts; readonly work: Work; readonly tools: ReactNode;
-  readonly control: ReactNode })
+export function WorkFacts({ words, work, tools, control, machine }: { readonly words: HandedTexts; readonly work: Work;
+  readonly tools: ReactNode; readonly control: ReactNode; readonly machine: string })
 {
   const { menu } = useFirstTexts();
   const language = useSettings((s) => s.language);
@@ -34,6 +35,7 @@ export function WorkFacts({ words, work, tools, control }: { readonly words: Han
     ...(files.length > 0 ? [["files", files.map(({ name }) => name).join(", ")] as const] : []),
     ["tools", tools],
     ["control", control],
+    ["machine", nameOfMachine(words, machine)],
     ["size", words.kilobytes(formatNumber(language, size / 1000, 1))],
   ];
   return (

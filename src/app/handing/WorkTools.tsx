@@ -9,7 +9,8 @@ import { handedOn, useEditor } from "../store.ts";
 import { useTools } from "../tools/tool-store.ts";
 import { HandingDialog } from "./HandingDialog.tsx";
 import { inMyTable } from "./in-my-table.ts";
-import { callAs, callsOf, keepWorkTools, takeControlOfDevice, takeTableOfDevice } from "./work-tools-edits.ts";
+import { nameOfMachine } from "./machine-name.ts";
+import { callAs, callsOf, keepWorkTools, takeControlOfDevice, takeMachineOfDevice, takeTableOfDevice } from "./work-tools-edits.ts";
 
 /** Edge length of an insert drawing, px. */
 const DRAWING = 40;
@@ -26,6 +27,8 @@ export function WorkTools({ words, done }: Props) {
   const control = useEditor((s) => handedOn(s).control);
   const mine = useTools((s) => s.list);
   const device = useSettings((s) => s.control);
+  const machine = useEditor((s) => handedOn(s).machine);
+  const own = useSettings((s) => s.machine);
   const beside = useMemo(() => toolsBeside(tools ?? [], mine), [tools, mine]);
   const [chosen, choose] = useState<Readonly<Record<string, KeepAs>>>({});
   const [kept, setKept] = useState<KeptTools | null>(null);
@@ -68,6 +71,12 @@ export function WorkTools({ words, done }: Props) {
         <div className="work-control">
           <p>{words.control(control, device)}</p>
           <button type="button" className="button" onClick={takeControlOfDevice}>{words.useControl(device)}</button>
+        </div>
+      )}
+      {machine !== undefined && machine !== own && (
+        <div className="work-control">
+          <p>{words.machine(nameOfMachine(words, machine), nameOfMachine(words, own))}</p>
+          <button type="button" className="button" onClick={takeMachineOfDevice}>{words.useMachine}</button>
         </div>
       )}
     </HandingDialog>

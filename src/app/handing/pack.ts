@@ -5,7 +5,7 @@ import { reportOf } from "../engine/beside.ts";
 import { fileOfJob } from "../printed.ts";
 import { setJobOf } from "../reading.ts";
 import { writeArchive } from "../saving/archive.ts";
-import { controlInUse, listInUse } from "../tools/work-tools.ts";
+import { controlInUse, listInUse, machineInUse } from "../tools/work-tools.ts";
 import { isProgram, type Work } from "../work.ts";
 import type { Job } from "../../program/job.ts";
 
@@ -22,13 +22,13 @@ export interface Packed {
 /** The cycle alone, with the tool that is proposed where none was chosen: another table might propose another one. */
 const alone = (job: Job): Job => ({ ...job, tool: setJobOf(job).tool, drafts: { [job.cycle]: draftOf(job) } });
 
-/** Packs the open work with the tools that it uses and the control it runs as. */
+/** Packs the open work with the tools that it uses, the control it runs as and the machine of its times. */
 export async function packed(open: Work): Promise<Packed> {
   const file = isProgram(open) ? open.name : fileOfJob(open);
-  const [list, control] = [listInUse(), controlInUse()];
+  const [list, control, machine] = [listInUse(), controlInUse(), machineInUse()];
   const made = await reportOf(open, file);
   const tools = rowsCalled(list, made?.used ?? null);
-  return { work: { ...(isProgram(open) ? open : alone(open)), tools, control }, file, report: made?.text ?? null };
+  return { work: { ...(isProgram(open) ? open : alone(open)), tools, control, machine }, file, report: made?.text ?? null };
 }
 
 /** The same as a file, with the tools once more as `verify` reads them. */

@@ -9,7 +9,7 @@ import { setJobOf } from "../reading.ts";
 import { asOneStep } from "../steps.ts";
 import { changeProgram, edit, handedOn, handOver, setHandedOn, useEditor } from "../store.ts";
 import { editTools, useTools } from "../tools/tool-store.ts";
-import { textsOf, withText, type ProgramWork } from "../work.ts";
+import { broughtBy, textsOf, withText, type ProgramWork } from "../work.ts";
 
 type Moved = KeptTools["moved"];
 
@@ -24,15 +24,22 @@ export function keepWorkTools(choice: (beside: ToolBeside) => KeepAs): KeptTools
 /** From now on the open work runs with the table of this device, as one step of undo. */
 export function takeTableOfDevice(): void {
   handOver();
-  const { tools: _, ...others } = handedOn(useEditor.getState());
-  setHandedOn(others.control ? { control: others.control } : {});
+  const { tools: _, ...others } = broughtBy(handedOn(useEditor.getState()));
+  setHandedOn(others);
 }
 
 /** From now on the open work runs as this device is set, as one step of undo. */
 export function takeControlOfDevice(): void {
   handOver();
-  const { tools } = handedOn(useEditor.getState());
-  setHandedOn(tools ? { tools } : {});
+  const { control: _, ...others } = broughtBy(handedOn(useEditor.getState()));
+  setHandedOn(others);
+}
+
+/** From now on times of the open work are worked out with the machine of this device, as one step of undo. */
+export function takeMachineOfDevice(): void {
+  handOver();
+  const { machine: _, ...others } = broughtBy(handedOn(useEditor.getState()));
+  setHandedOn(others);
 }
 
 /** How many calls in the open work name a tool that was given another number. */

@@ -169,6 +169,7 @@ export function writeArchive({ works, tools = null, own = null, settings = null,
   }
   if (own) files["tools/CYCLES.json"] = [strToU8(writeLibrary(own)), { mtime }];
   if (settings && settings.cutting !== "") files["tools/CUTTING.json"] = [strToU8(settings.cutting), { mtime }];
+  if (settings && settings.machine !== "") files["tools/MACHINE.json"] = [strToU8(settings.machine), { mtime }];
   if (settings) files["settings.json"] = [strToU8(JSON.stringify(settings, null, 2)), { mtime }];
   return zipSync(files, { level: 6 });
 }

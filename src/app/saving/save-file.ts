@@ -5,7 +5,7 @@ import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import type { ContourRow, Job, TaskWork } from "../../program/job.ts";
 import { EARLIER_OUTPUT, isNcOutput, JOB_LAYOUTS, type NcOutput } from "../../program/nc-output.ts";
 import { toolRows } from "../tools/tool-rows.ts";
-import { LONGEST_REMARKS, MOST_MEASURED, type ProgramWork, type Work, type WorkFile } from "../work.ts";
+import { LONGEST_MACHINE, LONGEST_REMARKS, MOST_MEASURED, type ProgramWork, type Work, type WorkFile } from "../work.ts";
 
 /** Counts up whenever the layout of a saved work changes; each step has its upgrade below. */
 export const SAVE_VERSION = 3;
@@ -62,7 +62,12 @@ const row = z.object({
   words: z._default(z.record(z.string(), text), {}),
 });
 /** What a work that was handed on brings along. */
-const handedOn = { tools: z.optional(toolRows), control: z.optional(z.enum(["TNC 640", "TNC7"])) };
+const handedOn = {
+  tools: z.optional(toolRows),
+  control: z.optional(z.enum(["TNC 640", "TNC7"])),
+  // Read where times are worked out; what is no machine there is none.
+  machine: z.optional(z.string().check(z.maxLength(LONGEST_MACHINE))),
+};
 /** The file of a task is held to its own schema where it is used. */
 const task = z.object({
   id: text,

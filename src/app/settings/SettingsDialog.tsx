@@ -6,9 +6,10 @@ import { lazyPart } from "../parts.ts";
 import { changeLanguage, changeSettings, useSettings } from "./settings.ts";
 import { useFirstTexts } from "./use-first-texts.ts";
 
+const MachineSection = lazyPart(async () => ({ default: (await import("../machine/MachineSection.tsx")).MachineSection }));
 const ThisDevice = lazyPart(async () => ({ default: (await import("../works/ThisDevice.tsx")).ThisDevice }));
 
-/** Language, appearance and motion: choices of this device. */
+/** Language, appearance, motion and machine: choices of this device. */
 export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
   const dialog = useRef<HTMLDialogElement>(null);
   const t = useFirstTexts().page;
@@ -80,6 +81,9 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
         </button>
         <p className="small soft">{t.disclaimer}</p>
         <p className="small soft">Turnwise {import.meta.env.VITE_VERSION}</p>
+        <Suspense>
+          <MachineSection />
+        </Suspense>
         <Suspense>
           <ThisDevice onBringIn={() => dialog.current?.close()} />
         </Suspense>

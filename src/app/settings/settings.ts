@@ -18,6 +18,8 @@ export interface Settings {
   readonly control: Control;
   /** How new programs are written for the machine. */
   readonly output: NcOutput;
+  /** What times are worked out with: a machine file as text, empty for none. */
+  readonly machine: string;
   /** The program text takes part of the screen, or is folded away. */
   readonly programFolded: boolean;
   /** X grows downwards in the lathe view (tool behind the spindle axis seen from the operator). */
@@ -87,6 +89,7 @@ function initial(): Settings {
     presentation: false,
     control: "TNC 640",
     output: NC_OUTPUTS.manual,
+    machine: "",
     programFolded: false,
     xDown: false,
     section: "half",
@@ -126,6 +129,7 @@ export function readSettings(text: string | null): Settings {
     presentation: flag(kept["presentation"], first.presentation),
     control: oneOf(kept["control"], CONTROLS, first.control),
     output: isNcOutput(kept["output"]) ? kept["output"] : first.output,
+    machine: written(kept["machine"], first.machine),
     programFolded: flag(kept["programFolded"], first.programFolded),
     xDown: flag(kept["xDown"], first.xDown),
     // Until the work could be seen from outside there was a switch.

@@ -3,6 +3,7 @@ import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
 import type { CycleNumber } from "../../cycles/index.ts";
 import type { SetupPlace } from "../../program/setup.ts";
 import { SETUP_FIELDS as FIELDS } from "../../program/setup-fields.ts";
+import { useOutcome } from "../engine/outcome.ts";
 import { useFits } from "../engine/fits.ts";
 import { setBlank, setPerRevolution, setRapid, setSpindle, setStart } from "../edits.ts";
 import { MoreLater } from "../guide/MoreLater.tsx";
@@ -14,6 +15,8 @@ import { ParameterFields } from "./ParameterFields.tsx";
 import { ToolSummary } from "./ToolSummary.tsx";
 import { ToolTable } from "./ToolTable.tsx";
 
+/** Fetched where a machine states its rapid rates. */
+const MachineRapid = lazyPart(async () => ({ default: (await import("../machine/MachineRapid.tsx")).MachineRapid }));
 const SetupStart = lazyPart(async () => ({ default: (await import("../guide/SetupStart.tsx")).SetupStart }));
 
 /** What a part of the set-up is called, with the way to its pages of the guide. */
@@ -33,6 +36,7 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
   const { setup: t, cycles } = useTexts();
   const fits = useFits();
   const { spindle, perRevolution, rapid } = read.job;
+  const isOfMachine = useOutcome((s) => typeof s.pictured?.run.timing.rates === "object");
   const { blank, start } = read.job;
   /** A place as it was typed, with what is proposed for it where nobody has. */
   const placeOf = (place: SetupPlace, value: string) =>
@@ -94,7 +98,13 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
           <input type="checkbox" checked={perRevolution} onChange={(e) => setPerRevolution(e.currentTarget.checked)} />
           <span>{t.feed.perRevolution}</span>
         </label>
-        <NumberField field={FIELDS.rapid} name={t.feed.rapid} unit={t.units.perMinute} text={rapid} onText={setRapid} />
+        {isOfMachine
+          ? (
+            <Suspense>
+              <MachineRapid />
+            </Suspense>
+          )
+          : <NumberField field={FIELDS.rapid} name={t.feed.rapid} unit={t.units.perMinute} text={rapid} onText={setRapid} />}
       </fieldset>
       <section className="setup-group" aria-label={t.notes}>
         <h2>{t.notes}</h2>

@@ -1,4 +1,4 @@
-import { useMemo } from "react";
+import { useMemo, type ReactNode } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import { useListed, useVerdict } from "../findings/use-findings.ts";
 import { toneOf, type ShownVerdict } from "../findings/verdict.ts";
@@ -15,6 +15,7 @@ import { SheetFacts } from "./SheetFacts.tsx";
 import { SheetMeasured, useSheetMeasured } from "./SheetMeasured.tsx";
 import { SheetOperations } from "./SheetOperations.tsx";
 import { SheetProgram } from "./SheetProgram.tsx";
+import { SheetTime } from "./SheetTime.tsx";
 import { SheetTools } from "./SheetTools.tsx";
 import { sheetWords } from "./sheet-words.ts";
 import type { SheetSource } from "./use-sheet.ts";
@@ -94,11 +95,11 @@ export function SetupSheet({ source, t, date }: { readonly source: SheetSource; 
   const { data, outcome, program, control, file, remarks } = source;
   const name = data.name || file, measured = useSheetMeasured(outcome);
   const comma = language === "zh" ? "、" : ", ";
-  const head: readonly (readonly [string, string])[] = [
+  const head: readonly (readonly [string, ReactNode])[] = [
     [t.head.file, file],
     [t.head.control, control],
     [t.head.unit, unit === "inch" ? t.inch : "mm"],
-    [t.head.time, data.seconds > 0 ? t.estimate(words.time(data.seconds)) : "–"],
+    [t.head.time, outcome && data.seconds > 0 ? <SheetTime run={outcome.run} t={t} words={words} /> : "–"],
     [t.head.date, date],
   ];
   return (

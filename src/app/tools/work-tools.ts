@@ -1,4 +1,4 @@
-import type { HandedOn } from "../../program/job.ts";
+import type { HandedOn, TaskWork } from "../../program/job.ts";
 import type { Control } from "../../program/plane-types.ts";
 import type { ToolList } from "../../program/tool-list.ts";
 import { useSettings } from "../settings/settings.ts";
@@ -11,8 +11,18 @@ const listOf = ({ tools }: HandedOn): ToolList => tools ?? useTools.getState().l
 /** How APPR and DEP move in a work: as it was handed on, or as this device is set. */
 const controlOf = ({ control }: HandedOn): Control => control ?? useSettings.getState().control;
 
-/** What a work runs with, whether it is open or not: the tools that can be called, those that are refused, and the control. */
-export const shopOf = (work: HandedOn) => ({ table: toolsOnDevice(listOf(work)).table, control: controlOf(work) });
+/** A task is judged without a machine, so its work is timed without one. */
+type TimedWork = HandedOn & { readonly task?: TaskWork };
+
+/** The text of the machine file that times of a work are worked out with: as it was handed on, or as this device is set. Empty for none. */
+const machineTextOf = ({ machine, task }: TimedWork): string => (task ? "" : machine ?? useSettings.getState().machine);
+
+/** What a work runs with, whether it is open or not: the tools that can be called, those that are refused, the control and the machine. */
+export const shopOf = (work: TimedWork) => ({
+  table: toolsOnDevice(listOf(work)).table,
+  control: controlOf(work),
+  machine: machineTextOf(work),
+});
 
 /** The tools that the open work runs with. */
 export const listInUse = (): ToolList => listOf(handedOn(useEditor.getState()));
@@ -29,3 +39,6 @@ export function useToolList() {
 
 /** How APPR and DEP move in the open work. */
 export const controlInUse = (): Control => controlOf(handedOn(useEditor.getState()));
+
+/** The text of the machine file of the open work; empty for none. */
+export const machineInUse = (): string => machineTextOf(handedOn(useEditor.getState()));

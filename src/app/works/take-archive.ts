@@ -84,9 +84,9 @@ export async function takeArchive(archive: ReadArchive, choice: ArchiveChoice): 
   if (own && choice.own === "missing") editOwn((list) => mergedLibrary(list, missingOwn(own, list) ?? []).list);
   if (choice.course) takeCourse(archive, new Map(choice.works.map(({ work }, i) => [work, lying[i]?.work ?? work])));
   if (settings && choice.settings) {
-    const { language, cutting, ...others } = settings;
-    // Somebody who goes by the shipped cutting data has none to bring: the shop's own stay.
-    changeSettings({ ...others, ...(cutting !== "" && { cutting }) });
+    const { language, cutting, machine, ...others } = settings;
+    // Somebody who goes by the shipped cutting data, or by no machine, has none to bring: the shop's own stay.
+    changeSettings({ ...others, ...(cutting !== "" && { cutting }), ...(machine !== "" && { machine }) });
     await changeLanguage(language);
   }
   return { kept, full: lying.length - kept };

@@ -8,7 +8,16 @@ export const handed = {
     + "der Datei.",
   working: "Welche Werkzeuge es braucht, wird ermittelt …",
   along: "Was mitgeht",
-  facts: { name: "Name", kind: "Art", blocks: "Sätze", files: "Dateien daneben", tools: "Werkzeuge", control: "Steuerung", size: "Größe" },
+  facts: {
+    name: "Name",
+    kind: "Art",
+    blocks: "Sätze",
+    files: "Dateien daneben",
+    tools: "Werkzeuge",
+    control: "Steuerung",
+    machine: "Maschine",
+    size: "Größe",
+  },
   program: "Ganzes Programm",
   cycle: (number, name) => `Zyklus ${number}, ${name}`,
   none: "keine",
@@ -44,6 +53,7 @@ export const handed = {
 
   bar: (n) => `Die offene Arbeit läuft mit ${n === 1 ? "1 eigenen Werkzeug" : `${n} eigenen Werkzeugen`}.`,
   barControl: (control) => `Die offene Arbeit läuft wie auf einer ${control}, so wie sie weitergegeben wurde.`,
+  barMachine: (machine) => `Die Zeiten des geöffneten Programms gelten für andere Maschinendaten als die dieses Geräts: ${machine}.`,
   ofWork: "Werkzeuge dieser Arbeit",
   ofWorkLead: "Sie wurde mit diesen Werkzeugen weitergegeben und läuft mit ihnen, nicht mit der Tabelle dieses Geräts.",
   theirs: "Mit der Arbeit",
@@ -63,4 +73,7 @@ export const handed = {
   useMine: "Stattdessen meine Tabelle verwenden",
   control: (its, mine) => `Steuerung dieser Arbeit: ${its}. Dieses Gerät: ${mine}.`,
   useControl: (mine) => `Stattdessen ${mine} verwenden`,
+  machine: (its, mine) => `Maschine dieses Programms: ${its}. Dieses Gerät: ${mine}.`,
+  useMachine: "Maschinendaten dieses Geräts verwenden",
+  noMachine: "keine",
 } satisfies HandedTexts;

@@ -13,7 +13,8 @@ export const machineTexts = {
   },
   examples: "Beispielwerte einer Maschine dieser Klasse. Durch die Werte Ihrer Maschine ersetzen.",
   newName: "Meine Maschine",
-  name: "Name",
+  name: "Maschinenname",
+  values: "Werte",
   groups: {
     rapid: "Eilgang",
     acceleration: "Beschleunigung im Eilgang",

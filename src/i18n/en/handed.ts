@@ -9,7 +9,16 @@ export const handed = {
     + "in the file.",
   working: "Finding out which tools it needs …",
   along: "What goes along",
-  facts: { name: "Name", kind: "Kind", blocks: "Blocks", files: "Files beside it", tools: "Tools", control: "Control", size: "Size" },
+  facts: {
+    name: "Name",
+    kind: "Kind",
+    blocks: "Blocks",
+    files: "Files beside it",
+    tools: "Tools",
+    control: "Control",
+    machine: "Machine",
+    size: "Size",
+  },
   program: "Whole program",
   cycle: (number: number, name: string) => `Cycle ${number}, ${name}`,
   none: "none",
@@ -44,6 +53,7 @@ export const handed = {
 
   bar: (n: number) => `The open work runs with ${tools(n)} of its own.`,
   barControl: (control: string) => `The open work runs as on a ${control}, as it was handed on.`,
+  barMachine: (machine: string) => `The open work is timed with other machine data than those of this device: ${machine}.`,
   ofWork: "Tools of this work",
   ofWorkLead: "It was handed on with these tools and runs with them, not with the table of this device.",
   theirs: "With the work",
@@ -63,6 +73,9 @@ export const handed = {
   useMine: "Use my table instead",
   control: (its: string, mine: string) => `Control of this work: ${its}. This device: ${mine}.`,
   useControl: (mine: string) => `Use ${mine} instead`,
+  machine: (its: string, mine: string) => `Machine of this work: ${its}. This device: ${mine}.`,
+  useMachine: "Use the machine data of this device",
+  noMachine: "none",
 };
 
 export type HandedTexts = Shape<typeof handed>;

@@ -14,7 +14,8 @@ export const machineTexts = {
   },
   examples: "Example figures for a machine of this class. Replace them with those of your machine.",
   newName: "My machine",
-  name: "Name",
+  name: "Machine name",
+  values: "Values",
   groups: {
     rapid: "Rapid rate",
     acceleration: "Acceleration at rapid",

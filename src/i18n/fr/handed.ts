@@ -8,7 +8,16 @@ export const handed = {
     + "le fichier.",
   working: "Recherche des outils nécessaires …",
   along: "Ce qui est transmis",
-  facts: { name: "Nom", kind: "Type", blocks: "Séquences", files: "Fichiers joints", tools: "Outils", control: "Commande", size: "Taille" },
+  facts: {
+    name: "Nom",
+    kind: "Type",
+    blocks: "Séquences",
+    files: "Fichiers joints",
+    tools: "Outils",
+    control: "Commande",
+    machine: "Machine",
+    size: "Taille",
+  },
   program: "Programme entier",
   cycle: (number, name) => `Cycle ${number}, ${name}`,
   none: "aucun",
@@ -42,6 +51,7 @@ export const handed = {
 
   bar: (n) => `Le travail ouvert utilise ${n === 1 ? "son propre outil" : `ses ${n} propres outils`}.`,
   barControl: (control) => `Le travail ouvert s’exécute comme sur une ${control}, tel qu’il a été transmis.`,
+  barMachine: (machine) => `Les temps du programme ouvert utilisent d’autres données machine que celles de cet appareil : ${machine}.`,
   ofWork: "Outils de ce travail",
   ofWorkLead: "Il a été transmis avec ces outils et les utilise à la place du tableau de cet appareil.",
   theirs: "Avec le travail",
@@ -63,4 +73,7 @@ export const handed = {
   useMine: "Utiliser plutôt mon tableau",
   control: (its, mine) => `Commande de ce travail : ${its}. Cet appareil : ${mine}.`,
   useControl: (mine) => `Utiliser plutôt ${mine}`,
+  machine: (its, mine) => `Machine de ce programme : ${its}. Cet appareil : ${mine}.`,
+  useMachine: "Utiliser les données machine de cet appareil",
+  noMachine: "aucune",
 } satisfies HandedTexts;

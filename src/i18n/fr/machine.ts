@@ -13,7 +13,8 @@ export const machineTexts = {
   },
   examples: "Valeurs d’exemple pour une machine de cette classe. Remplacez-les par celles de votre machine.",
   newName: "Ma machine",
-  name: "Nom",
+  name: "Nom de la machine",
+  values: "Valeurs",
   groups: {
     rapid: "Avance rapide",
     acceleration: "Accélération en avance rapide",
@@ -57,8 +58,13 @@ export const machineTexts = {
   },
   time: {
     title: "Temps d’usinage",
-    causes: { cutting: "Avance de travail", rapid: "Avance rapide", dwell: "Temporisation", toolChange: "Changements d’outil",
-      spindle: "Montée en vitesse" },
+    causes: {
+      cutting: "Avance de travail",
+      rapid: "Avance rapide",
+      dwell: "Temporisation",
+      toolChange: "Changements d’outil",
+      spindle: "Montée en vitesse",
+    },
     total: "Total",
     machine: (name) => `Machine : ${name}`,
     noMachine: "Sans données machine",

@@ -5,7 +5,16 @@ export const handed = {
   lead: "打开的人会看到同样的画面、同样的数值和同样的结论。不经过服务器：全部内容都在链接或文件中。",
   working: "正在确定需要哪些刀具……",
   along: "一并转交的内容",
-  facts: { name: "名称", kind: "类型", blocks: "程序段", files: "附带文件", tools: "刀具", control: "数控系统", size: "大小" },
+  facts: {
+    name: "名称",
+    kind: "类型",
+    blocks: "程序段",
+    files: "附带文件",
+    tools: "刀具",
+    control: "数控系统",
+    machine: "机床",
+    size: "大小",
+  },
   program: "完整程序",
   cycle: (number, name) => `循环 ${number}，${name}`,
   none: "无",
@@ -39,6 +48,7 @@ export const handed = {
 
   bar: (n) => `当前工作使用自带的 ${n} 把刀具。`,
   barControl: (control) => `当前工作按转交时的设置 ${control} 运行。`,
+  barMachine: (machine) => `打开的程序按与本设备不同的机床数据计算时间：${machine}。`,
   ofWork: "此工作的刀具",
   ofWorkLead: "它连同这些刀具一起转交，运行时使用这些刀具，而不是本设备的刀具表。",
   theirs: "随工作转交",
@@ -57,4 +67,7 @@ export const handed = {
   useMine: "改用我的刀具表",
   control: (its, mine) => `此工作的数控系统：${its}。本设备：${mine}。`,
   useControl: (mine) => `改用 ${mine}`,
+  machine: (its, mine) => `此程序的机床：${its}。本设备：${mine}。`,
+  useMachine: "改用本设备的机床数据",
+  noMachine: "无",
 } satisfies HandedTexts;

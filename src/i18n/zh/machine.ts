@@ -13,7 +13,8 @@ export const machineTexts = {
   },
   examples: "此类机床的示例数值。请用您机床的数值替换。",
   newName: "我的机床",
-  name: "名称",
+  name: "机床名称",
+  values: "数值",
   groups: {
     rapid: "快移速度",
     acceleration: "快移加速度",

@@ -1,0 +1,50 @@
+import { useState } from "react";
+import { createPortal } from "react-dom";
+import type { MachineTexts } from "../../i18n/en/machine.ts";
+import type { Run } from "../../program/run-types.ts";
+import { useOutcome } from "../engine/outcome.ts";
+import { HandingDialog } from "../handing/HandingDialog.tsx";
+import { Icon } from "../Icon.tsx";
+import { useMachineTextsSoon } from "../machine/use-machine-texts.ts";
+import { useSettings } from "../settings/settings.ts";
+import { useTexts } from "../settings/use-texts.ts";
+import { durationText } from "./changes.ts";
+import { timeCauses, timeContents } from "./time-contents.ts";
+import "./time-parts.css";
+
+/** The way from a running time to what it is made of. */
+export function TimeParts() {
+  const t = useMachineTextsSoon();
+  const run = useOutcome((s) => s.pictured?.run);
+  const [isOpen, open] = useState(false);
+  if (!t || !run) return null;
+  return (
+    <>
+      <button type="button" className="time-parts" aria-label={t.time.title} title={t.time.title} onClick={() => open(true)}>
+        <Icon name="info" />
+      </button>
+      {isOpen && createPortal(<Opened t={t.time} run={run} done={() => open(false)} />, document.body)}
+    </>
+  );
+}
+
+function Opened({ t, run, done }: { readonly t: MachineTexts["time"]; readonly run: Run; readonly done: () => void }) {
+  const texts = useTexts();
+  const language = useSettings((s) => s.language);
+  const row = (name: string, seconds: number) => (
+    <tr key={name}>
+      <th scope="row">{name}</th>
+      <td className="number">{durationText(texts, language, seconds)}</td>
+    </tr>
+  );
+  return (
+    <HandingDialog title={t.title} done={done}>
+      <table className="time-table">
+        <tbody>{timeCauses(t, run).map(([name, seconds]) => row(name, seconds))}</tbody>
+        <tfoot>{row(t.total, run.seconds)}</tfoot>
+      </table>
+      {timeContents(t, run, language).map((line) => <p key={line} className="small">{line}</p>)}
+      <p className="small soft">{t.hint}</p>
+    </HandingDialog>
+  );
+}

@@ -1,0 +1,30 @@
+import type { MachineTexts } from "../../i18n/en/machine.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { formatNumber } from "../../i18n/number.ts";
+import { timesOf } from "../../program/run-times.ts";
+import type { Run, TimePart } from "../../program/run-types.ts";
+
+const CAUSES = ["cutting", "rapid", "dwell", "toolChange", "spindle"] as const;
+const ALWAYS: readonly (typeof CAUSES)[number][] = ["cutting", "rapid"];
+const LACKED = ["acceleration", "toolChange", "spindle"] as const satisfies readonly TimePart[];
+
+/** Where the time of a run goes: each cause with its seconds, those that take none left out. */
+export function timeCauses(t: MachineTexts["time"], run: Run): readonly (readonly [name: string, seconds: number])[] {
+  const times = timesOf(run);
+  return CAUSES.filter((cause) => times[cause] > 0 || ALWAYS.includes(cause)).map((cause) => [t.causes[cause], times[cause]]);
+}
+
+/** What a time was worked out with, and what it does not contain. */
+export function timeContents(
+  t: MachineTexts["time"],
+  { timing: { machine, rates, contains } }: Run,
+  language: Language,
+): readonly string[] {
+  const meters = (rate: number) => formatNumber(language, rate / 1000, 3);
+  const lacked = LACKED.filter((part) => !contains.includes(part)).map((part) => t.lacks[part]);
+  return [
+    machine === null ? t.noMachine : t.machine(machine),
+    typeof rates === "number" ? t.rate(meters(rates)) : t.rates(meters(rates.x), meters(rates.z)),
+    ...(lacked.length > 0 ? [t.without(lacked.join(language === "zh" ? "、" : ", "))] : []),
+  ];
+}
