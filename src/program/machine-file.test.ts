@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
+import { EXAMPLE_MACHINE_NAMES, EXAMPLE_MACHINES } from "./example-machines.ts";
 import { powerAt } from "./machine-data.ts";
-import { EXAMPLE_MACHINE_NAMES, EXAMPLE_MACHINES, MACHINE_FORMAT, machineOf, readMachine, writeMachine } from "./machine-file.ts";
+import { MACHINE_FORMAT, machineOf, readMachine, writeMachine } from "./machine-file.ts";
 import { NC_OUTPUTS } from "./nc-output.ts";
 
 const read = (file: object) => readMachine(JSON.stringify({ format: MACHINE_FORMAT, name: "A", ...file }));

@@ -1,7 +1,6 @@
 import type { Wanted } from "../../cycles/wanted.ts";
 import type { Ring } from "../../kernel/point.ts";
 import type { Tool } from "../../kernel/tool.ts";
-import { machineOf } from "../../program/machine-file.ts";
 import type { SetJob } from "../../program/job.ts";
 import { tipAtCall } from "../../program/wanted-job.ts";
 import type { ToolFit } from "../../program/which-tool.ts";
@@ -31,7 +30,7 @@ export const advice = {
     stock: readonly Ring[] | null,
     shop: Pick<Request, "table" | "rapid" | "control" | "machine">,
   ): Tried {
-    const { table, rapid, control } = shop, machine = machineOf(shop.machine ?? "");
+    const { table, rapid, control, machine } = shop;
     return tryWay(proposal, wanted, stock, { ...table, rapid, control, ...(machine && { machine }) });
   },
 

@@ -1,6 +1,7 @@
+import { machineRead } from "../machine/machine-reader.ts";
 import { printedText } from "../printed.ts";
 import { useEditor } from "../store.ts";
-import { controlInUse, machineInUse, shopOf, toolTable } from "../tools/work-tools.ts";
+import { controlInUse, machineInUse, machineTextOf, shopOf, toolTable } from "../tools/work-tools.ts";
 import type { Comparer } from "../which/comparison.ts";
 import { filesOf, isProgram, type ProgramWork, type Work } from "../work.ts";
 import type { Outcome } from "./outcome.ts";
@@ -16,7 +17,8 @@ import { askAgain } from "./worker-life.ts";
 export async function outcomeBeside(program: ProgramWork, timedAs = useEditor.getState().job): Promise<Outcome | null> {
   const { name, text, skipMarked = false } = program;
   try {
-    const request = { version: 0, name, text, files: filesOf(program), skipMarked, ...shopOf(program) };
+    const machine = await machineRead(machineTextOf(program));
+    const request = { version: 0, name, text, files: filesOf(program), skipMarked, ...shopOf(program), machine };
     return await askAgain((engine) => engine.update({ ...request, rapid: timedAs ? rapidOf(timedAs) : USUAL_RAPID }));
   } catch {
     return null;
@@ -25,7 +27,7 @@ export async function outcomeBeside(program: ProgramWork, timedAs = useEditor.ge
 
 /** The report on the open work as it stands, and the tools that it takes to come to it; null when that cannot be said. */
 export async function reportOf(work: Work, file: string): Promise<Reported | null> {
-  const shop = { version: 0, table: toolTable(), control: controlInUse(), machine: machineInUse() };
+  const shop = { version: 0, table: toolTable(), control: controlInUse(), machine: await machineRead(machineInUse()) };
   try {
     const request = isProgram(work)
       ? { ...shop, text: work.text, name: work.name, files: filesOf(work), skipMarked: work.skipMarked ?? false, rapid: USUAL_RAPID }
@@ -48,9 +50,8 @@ export const comparison: Comparer = {
   async tryWay(proposal, wanted, stock) {
     const control = controlInUse();
     try {
-      return await askAgain((engine) =>
-        engine.tryWay(proposal, wanted, stock, { table: toolTable(), rapid: USUAL_RAPID, control, machine: machineInUse() })
-      );
+      const shop = { table: toolTable(), rapid: USUAL_RAPID, control, machine: await machineRead(machineInUse()) };
+      return await askAgain((engine) => engine.tryWay(proposal, wanted, stock, shop));
     } catch {
       return null;
     }

@@ -3,6 +3,7 @@ import { fileKey } from "../../program/program-files.ts";
 import type { ShopTools } from "../../program/read-tools.ts";
 import type { Control } from "../../program/plane-types.ts";
 import { afterPicture } from "../after-picture.ts";
+import { machineAtHand, useMachineReader } from "../machine/machine-reader.ts";
 import { printedText } from "../printed.ts";
 import { readJob } from "../reading.ts";
 import { untilHere } from "../parts.ts";
@@ -214,11 +215,23 @@ function followProgram(program: ProgramWork, name: string | null): void {
   const table = toolTable();
   const [control, machine] = [controlInUse(), machineInUse()];
   if (last && isSameProgram(program, last.program) && last.table === table && last.control === control && last.machine === machine) return;
+  const data = machineAtHand(machine);
+  if (data === undefined) return;
   pause(false);
   const { text, skipMarked = false } = program;
   last = { text, table, rapid: USUAL_RAPID, control, machine, cycle: null, work: name, program };
   version += 1;
-  want({ version, text, name: program.name, files: filesOf(program), skipMarked, table, rapid: USUAL_RAPID, control, machine });
+  want({
+    version,
+    text,
+    name: program.name,
+    files: filesOf(program),
+    skipMarked,
+    table,
+    rapid: USUAL_RAPID,
+    control,
+    machine: data,
+  });
 }
 
 function follow({ job, program, work: name }: Editor): void {
@@ -240,16 +253,23 @@ function follow({ job, program, work: name }: Editor): void {
   const table = toolTable();
   const [control, machine] = [controlInUse(), machineInUse()];
   const isSame = last?.text === text && last.table === table && last.rapid === rapid && last.control === control;
-  if (isSame && last?.machine === machine) return;
+  const data = machineAtHand(machine);
+  if ((isSame && last?.machine === machine) || data === undefined) return;
   last = { text, table, rapid, control, machine, cycle: job.cycle, work: name };
   version += 1;
-  want({ version, text, table, rapid, control, machine });
+  want({ version, text, table, rapid, control, machine: data });
 }
 
 /** From now on each change of the work, of the tool table or of the control is calculated. */
 export function startEngine(): () => void {
   const now = () => follow(useEditor.getState());
   now();
-  const stops = [fetchPlan(), useEditor.subscribe(now), useTools.subscribe(now), useSettings.subscribe(now)];
+  const stops = [
+    fetchPlan(),
+    useEditor.subscribe(now),
+    useTools.subscribe(now),
+    useSettings.subscribe(now),
+    useMachineReader.subscribe(now),
+  ];
   return () => stops.forEach((stop) => stop());
 }

@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { EXAMPLE_MACHINES, writeMachine } from "../../program/machine-file.ts";
+import { EXAMPLE_MACHINES } from "../../program/example-machines.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { engine } from "./engine.ts";
 import { planned, planner } from "./plan.ts";
@@ -19,7 +19,7 @@ const requestOf = (text: string) => ({
   text,
   table: { tools: shippedTools, mills: [], refused: new Map() },
   rapid: 8700,
-  machine: writeMachine(EXAMPLE_MACHINES.large),
+  machine: EXAMPLE_MACHINES.large,
   control: "TNC7" as const,
 });
 

@@ -4,7 +4,6 @@ import { readingAgain } from "../../nc/reread.ts";
 import { never } from "../../kernel/never.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Shop } from "../../program/shop.ts";
-import { machineOf } from "../../program/machine-file.ts";
 import { planMemory } from "../../program/plan-memory.ts";
 import { filesByName } from "../../program/program-files.ts";
 import { run } from "../../program/run.ts";
@@ -27,8 +26,7 @@ function planBy(
   { read, ...known }: By,
   runs: (program: Program, shop: Shop, beside: NonNullable<Request["files"]>) => Run | null,
 ): Planned | null {
-  const { version, text, name, files = [], skipMarked = false, table, rapid, control } = request;
-  const machine = machineOf(request.machine ?? "");
+  const { version, text, name, files = [], skipMarked = false, table, rapid, control, machine } = request;
   atStage("reading");
   const program = read(text);
   atStage("running");

@@ -1,5 +1,6 @@
 import { readText } from "../../program/field.ts";
 import type { Job } from "../../program/job.ts";
+import type { MachineData } from "../../program/machine-data.ts";
 import type { Control } from "../../program/plane-types.ts";
 import type { ShopTools } from "../../program/read-tools.ts";
 import { SETUP_FIELDS } from "../../program/setup-fields.ts";
@@ -19,8 +20,8 @@ export interface Request {
   readonly table: ShopTools;
   /** Rapid rate for times where the machine states none, mm/min. */
   readonly rapid: number;
-  /** Text of a machine file; empty or absent for none. */
-  readonly machine?: string;
+  /** What times are worked out with beside it; null or absent where nothing is known of the machine. */
+  readonly machine?: MachineData | null;
   /** How APPR and DEP move in the tool axis. */
   readonly control: Control;
 }

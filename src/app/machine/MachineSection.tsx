@@ -2,8 +2,8 @@ import { useId, useRef, useState } from "react";
 import type { MachineTexts } from "../../i18n/en/machine.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { MachineData } from "../../program/machine-data.ts";
-import { EXAMPLE_MACHINE_NAMES, EXAMPLE_MACHINES, machineOf, readMachine, writeMachine,
-  type MachineProblem } from "../../program/machine-file.ts";
+import { EXAMPLE_MACHINE_NAMES, EXAMPLE_MACHINES } from "../../program/example-machines.ts";
+import { machineOf, readMachine, writeMachine, type MachineProblem } from "../../program/machine-file.ts";
 import { downloadText } from "../files/download.ts";
 import { Icon } from "../Icon.tsx";
 import { changeSettings, useSettings } from "../settings/settings.ts";

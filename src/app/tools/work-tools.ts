@@ -15,14 +15,10 @@ const controlOf = ({ control }: HandedOn): Control => control ?? useSettings.get
 type TimedWork = HandedOn & { readonly task?: TaskWork };
 
 /** The text of the machine file that times of a work are worked out with: as it was handed on, or as this device is set. Empty for none. */
-const machineTextOf = ({ machine, task }: TimedWork): string => (task ? "" : machine ?? useSettings.getState().machine);
+export const machineTextOf = ({ machine, task }: TimedWork): string => (task ? "" : machine ?? useSettings.getState().machine);
 
-/** What a work runs with, whether it is open or not: the tools that can be called, those that are refused, the control and the machine. */
-export const shopOf = (work: TimedWork) => ({
-  table: toolsOnDevice(listOf(work)).table,
-  control: controlOf(work),
-  machine: machineTextOf(work),
-});
+/** What a work runs with, whether it is open or not: the tools that can be called, those that are refused, and the control. */
+export const shopOf = (work: HandedOn) => ({ table: toolsOnDevice(listOf(work)).table, control: controlOf(work) });
 
 /** The tools that the open work runs with. */
 export const listInUse = (): ToolList => listOf(handedOn(useEditor.getState()));
