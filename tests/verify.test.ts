@@ -132,6 +132,32 @@ describe("verify", () => {
     expect(main([program("shoulder-812"), "--json", "--tools", tools])).toBe(1);
     expect(reports()[0]?.issues.map((i) => `${i.code} ${i.at} ${i.block}`)).toContain("toolColumn RS 3");
   });
+  test("--machine: its times go into the report and the summary, which say what they contain", () => {
+    const machine = file("m.json",
+      JSON.stringify({ format: "turnwise-machine/1", name: "Lathe 7", rapid: { x: 9000, z: 12_500 }, toolChange: 3.7 }));
+    expect(main([program("shoulder-812"), "--json", "--machine", machine])).toBe(0);
+    expect(reports()[0]?.time).toMatchObject({
+      toolChange: 3.7,
+      machine: "Lathe 7",
+      contains: ["cutting", "rapid", "dwell", "toolChange"],
+    });
+    main([program("shoulder-812"), "--machine", machine]);
+    expect(out).toMatch(
+      / {2}time .* at X 9, Z 12\.5 m\/min, tool changes 0:04; machine Lathe 7, without acceleration, run-up of the spindle\n/,
+    );
+    chunks.length = 0;
+    main([program("shoulder-812")]);
+    expect(out).toMatch(/ {2}time .* at 10 m\/min; no machine data, without acceleration, tool changes, run-up of the spindle\n/);
+  });
+  test.each([["not JSON", "{", "It is not JSON."], ["a tool file", '{"tools":[]}', "It is not a machine file."], [
+    "a slip of units",
+    '{"format":"turnwise-machine/1","name":"A","rapid":{"x":24,"z":30}}',
+    "rapid.x: at least 100",
+  ]])("broken machine file, %s: status 2", (_, text, why) => {
+    const path = file("m.json", text);
+    expect(main([program("shoulder-812"), "--machine", path])).toBe(2);
+    expect(err).toBe(`verify: machine file ${path}: ${why}\n`);
+  });
   test.each([["no file", ["nowhere.h"]], ["nothing to do", []], ["an unknown option", [program("shoulder-812"), "--jason"]], [
     "no tools file",
     [program("shoulder-812"), "--tools", "nowhere.json"],

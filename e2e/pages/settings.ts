@@ -3,6 +3,10 @@ import { device as de } from "../../src/i18n/de/device.ts";
 import { device as en } from "../../src/i18n/en/device.ts";
 import { device as fr } from "../../src/i18n/fr/device.ts";
 import { device as zh } from "../../src/i18n/zh/device.ts";
+import { machineTexts as deMachine } from "../../src/i18n/de/machine.ts";
+import { machineTexts as enMachine } from "../../src/i18n/en/machine.ts";
+import { machineTexts as frMachine } from "../../src/i18n/fr/machine.ts";
+import { machineTexts as zhMachine } from "../../src/i18n/zh/machine.ts";
 import { LANGUAGE_NAMES, type Language } from "../../src/i18n/languages.ts";
 import { texts } from "../../src/i18n/index.ts";
 import type { Context } from "./turnwise.ts";
@@ -33,6 +37,12 @@ export class SettingsPage {
   /** Makes all letters larger, or as large as usual, with the dialog open. */
   async chooseLetters(size: "usual" | "presentation"): Promise<void> {
     await this.dialog.getByRole("combobox", { name: this.context.t.page.size, exact: true }).selectOption(size);
+  }
+
+  /** Machine data: the preset, the values, the file out and in. */
+  get machine(): Locator {
+    const { title } = { en: enMachine, de: deMachine, fr: frMachine, zh: zhMachine }[this.context.language];
+    return this.dialog.getByRole("region", { name: title, exact: true });
   }
 
   /** The button that saves all works, tools, own cycles, settings and the progress of the course as one file. */

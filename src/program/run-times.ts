@@ -12,7 +12,13 @@ export function timingOf({ rapid, machine }: MachineTimed, beside: SecondsBeside
     toolChange: machine?.toolChange !== undefined,
     spindle: machine?.spindle?.runUp !== undefined,
   };
-  return { beside, contains: TIME_PARTS.filter((part) => stated[part]), machine: machine?.name ?? null, rates: machine?.rapid ?? rapid };
+  return {
+    beside,
+    contains: TIME_PARTS.filter((part) => stated[part]),
+    machine: machine?.name ?? null,
+    turning: machine?.spindle ?? null,
+    rates: machine?.rapid ?? rapid,
+  };
 }
 
 /** Of a run that did nothing. */

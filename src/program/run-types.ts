@@ -9,6 +9,7 @@ import type { Spindle, Stated, Step, Unproved } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { Feed } from "../kernel/units.ts";
 import type { NcIssue } from "../nc/issue.ts";
+import type { SpindleData } from "./machine-data.ts";
 import type { Datum } from "./modal.ts";
 import type { ProgramIssue } from "./issue.ts";
 import type { ApproachRun, PlaneStep } from "./plane-types.ts";
@@ -87,6 +88,8 @@ export interface Timing {
   readonly contains: readonly TimePart[];
   /** Name of the machine whose data were used; null without one. */
   readonly machine: string | null;
+  /** What its spindle can give. */
+  readonly turning: SpindleData | null;
   /** Rapid rates, mm/min: of each axis, or one along the path. */
   readonly rates: number | { readonly x: number; readonly z: number };
 }

@@ -89,7 +89,7 @@ export interface Report {
 }
 
 /** Running time by what it passes for, s, and what it was worked out with. */
-export interface ReportTime extends Times, Omit<Timing, "beside"> {}
+export interface ReportTime extends Times, Omit<Timing, "beside" | "turning"> {}
 
 /** Arcs of a reported contour stay this near to their circle: 1 µm. */
 const CONTOUR_CHORD = 0.001;
@@ -164,7 +164,7 @@ function residualsOf({ run, simulation, tools = [] }: Checked): ReportResidual[]
 /** Puts a run and its simulation into the form of the report, with sentences in one language. */
 export function report(checked: Checked, language: Language): Report {
   const { file, run, simulation, milliseconds } = checked;
-  const { beside: _, ...timing } = run.timing;
+  const { beside: _, turning: __, ...timing } = run.timing;
   const judged = verdictOf(run, simulation);
   const { gouge, rapidInStock, cut, airPasses, deepest, holder } = simulation.proof;
   const proved = stockIssues(simulation);

@@ -5,7 +5,7 @@ import { loadAdvice } from "../../i18n/load-advice.ts";
 import type { Plan } from "../../kernel/plan.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import type { Operation } from "../../program/run-types.ts";
-import { advise, type Advice } from "../../report/advice/advise.ts";
+import { advise, type Advice, type Advised } from "../../report/advice/advise.ts";
 import { readCuttingTable, usualTable, type CutMaterial, type CuttingTable } from "../../program/cutting-table.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { laterTexts } from "../settings/later-texts.ts";
@@ -40,20 +40,22 @@ export interface AdvisedCall extends Pick<Operation, "definedLine" | "definedFil
   readonly advice: readonly Advice[];
 }
 
+type CutDiameters = Pick<Advised, "smallest" | "largest">;
 /** By plans, which stay the same objects from run to run where nothing of them changes. */
-const smallest = new WeakMap<Plan, number>();
+const diameters = new WeakMap<Plan, CutDiameters>();
 
-/** The smallest diameter at which an operation cuts, mm. */
-function smallestOf({ plan, start }: Operation): number {
-  const known = smallest.get(plan);
-  if (known !== undefined) return known;
-  let [from, least] = [start, Infinity];
+/** The diameters between which an operation cuts, mm. */
+function diametersOf({ plan, start }: Operation): CutDiameters {
+  const known = diameters.get(plan);
+  if (known) return known;
+  let [from, least, most] = [start, Infinity, 0];
   for (const { kind, to } of plan.moves) {
-    if (kind !== "rapid") least = Math.min(least, Math.abs(from.r), Math.abs(to.r));
+    const [a, b] = [Math.abs(from.r), Math.abs(to.r)];
+    if (kind !== "rapid") [least, most] = [Math.min(least, a, b), Math.max(most, a, b)];
     from = to;
   }
-  const found = toDiameter(radius(least));
-  smallest.set(plan, found);
+  const found = { smallest: toDiameter(radius(least)), largest: toDiameter(radius(most)) };
+  diameters.set(plan, found);
   return found;
 }
 
@@ -75,7 +77,8 @@ export function useAdvisedCalls(): readonly AdvisedCall[] {
         spindle: each.spindle,
         perRevolution: each.feedUnit === "mm/rev",
         depth: each.plan.infeed,
-        smallest: smallestOf(each),
+        ...diametersOf(each),
+        machine: run.timing.turning,
         material,
         table,
       });

@@ -1,6 +1,8 @@
 import { afterEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob, UNSET } from "../../program/job.ts";
+import { EXAMPLE_MACHINES } from "../../program/example-machines.ts";
+import { machineOf, writeMachine } from "../../program/machine-file.ts";
 import { shippedList } from "../../program/tool-list.ts";
 import { reported } from "../engine/reported.ts";
 import { openText } from "../files/open-program.ts";
@@ -9,13 +11,13 @@ import { changeSettings } from "../settings/settings.ts";
 import { begin, handedOn, useEditor } from "../store.ts";
 import { redo, undo } from "../steps.ts";
 import { editTools, takeTools, useTools } from "../tools/tool-store.ts";
-import { controlInUse, toolTable } from "../tools/work-tools.ts";
+import { controlInUse, machineInUse, toolTable } from "../tools/work-tools.ts";
 import { isProgram, type Work } from "../work.ts";
 import { printedText } from "../printed.ts";
 import { handedWork } from "./incoming.ts";
 import { linkOf, readLink } from "./link.ts";
 import { packed, packedFile } from "./pack.ts";
-import { callAs, callsOf, keepWorkTools, takeControlOfDevice, takeTableOfDevice } from "./work-tools-edits.ts";
+import { callAs, callsOf, keepWorkTools, takeControlOfDevice, takeMachineOfDevice, takeTableOfDevice } from "./work-tools-edits.ts";
 
 /** The worker's answer, made here. */
 vi.mock("../engine/beside.ts", () => ({
@@ -25,6 +27,7 @@ vi.mock("../engine/beside.ts", () => ({
       text: isProgram(work) ? work.text : printedText(work),
       table: toolTable(),
       control: controlInUse(),
+      machine: machineOf(machineInUse()),
       rapid: 10_000,
     }, file)),
 }));
@@ -47,7 +50,7 @@ const arrive = (link: string) => {
 afterEach(() => {
   begin(null, null);
   takeTools(shippedList);
-  changeSettings({ control: "TNC 640" });
+  changeSettings({ control: "TNC 640", machine: "" });
 });
 
 test("a cycle that nobody has chosen a tool for brings the one that was proposed, and gives the same report elsewhere", async () => {
@@ -68,6 +71,32 @@ test("a cycle that nobody has chosen a tool for brings the one that was proposed
   const again = await packed(open());
   expect(again.report).toBe(sent.report);
   expect(linkOf("", again.work)).toBe(linkOf("", sent.work));
+});
+
+test.each([["the data of a machine", writeMachine(EXAMPLE_MACHINES.large), ""], ["no machine", "", writeMachine(EXAMPLE_MACHINES.small)]])(
+  "a work that is timed with %s comes to the same times on a device that has other data",
+  async (_, machine, other) => {
+    const [cycle] = cuttingCycles;
+    if (!cycle) throw new Error("the catalogue is empty");
+    begin(exampleJob(cycle), "mine");
+    changeSettings({ machine });
+    const sent = await packed(open());
+    changeSettings({ machine: other });
+    expect((await packed(open())).report).not.toBe(sent.report);
+    begin(arrive(linkOf("", sent.work)), "theirs");
+    expect(machineInUse()).toBe(machine);
+    expect((await packed(open())).report).toBe(sent.report);
+    takeMachineOfDevice();
+    expect([machineInUse(), handedOn(useEditor.getState()).control]).toEqual([other, "TNC 640"]);
+    undo();
+    expect(machineInUse()).toBe(machine);
+  },
+);
+
+test("a task is timed without a machine, as it is judged", () => {
+  changeSettings({ machine: writeMachine(EXAMPLE_MACHINES.large) });
+  begin({ ...program, task: { id: "x" } }, "task");
+  expect(machineInUse()).toBe("");
 });
 
 test("as a file the work is the same, and such a file is told from one of many works", async () => {

@@ -49,6 +49,15 @@ test("a work of a task is saved with its task, what was foretold and the file it
   expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...works[1], task: { id: 7 } } })).toBeNull();
 });
 
+test("the machine that a work was handed on with is saved with it, and so is that it was none", () => {
+  const program = { name: "MAIN.H", text: "END PGM A MM", encoding: "utf-8" };
+  for (const machine of ["", "{}", "x".repeat(10_000)]) {
+    for (const job of [{ ...saved()[0]?.job, machine }, { ...program, machine }])
+      expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
+  }
+  expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...program, machine: "x".repeat(10_001) } })).toBeNull();
+});
+
 test("what a work is turned from is saved with it, of materials this device does not know too", () => {
   const works = [{ ...saved()[0]?.job, material: "42crmo4" }, {
     name: "MAIN.H",

@@ -92,6 +92,22 @@ test("of tables the missing rows come, or all of them, each as one step", async 
   expect([names(), cycles()]).toEqual([["OTHER 1", "GROOVER"], ["OTHERS", "SAW"]]);
 });
 
+test("a machine comes with the settings; where none is brought, that of the device stays", async () => {
+  const take = (machine: string) =>
+    takeArchive({ ...archive, settings: { ...settings, machine } }, {
+      works: [],
+      tools: "keep",
+      own: "keep",
+      settings: true,
+      course: false,
+    });
+  useSettings.setState({ machine: "mine" });
+  await take("");
+  expect(useSettings.getState().machine).toBe("mine");
+  await take("theirs");
+  expect(useSettings.getState().machine).toBe("theirs");
+});
+
 test("cutting data come with the settings; where none are brought, the shop's own stay", async () => {
   const mine = writeCuttingTable({ ...usualTable, power: 7.3 }), theirs = writeCuttingTable({ ...usualTable, power: 18.9 });
   const take = (cutting: string, wanted: boolean) =>

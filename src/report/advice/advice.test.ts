@@ -51,6 +51,8 @@ const calm: Advised = {
   perRevolution: true,
   depth: 2.07,
   smallest: 43.7,
+  largest: 61.3,
+  machine: null,
   material,
   table: usualTable,
 };
@@ -65,6 +67,17 @@ test("calm values get no advice; each rule speaks on its own", () => {
   expect(codes({ smallest: 17.9 })).toEqual([`speedLimited ${SPINDLE} null`]);
   expect(codes({ spindle: { kind: "surface", cuttingSpeed: 187, limit: 0 } })).toEqual([`noLimit ${SPINDLE} null`]);
   expect(codes({ spindle: { kind: "surface", cuttingSpeed: 311, limit: 6000 } })).toEqual([`speedFar ${SPINDLE} 190`]);
+});
+
+test("the spindle of the machine bears what its power and its torque give where it turns slowest", () => {
+  expect(codes({ machine: { most: 4000 }, table: { ...usualTable, power: 4.3 } })).toEqual(["power Q463 1.801"]);
+  expect(codes({ machine: { most: 4000, power: 4.3 } })).toEqual(["power Q463 1.801"]);
+  expect(codes({ machine: { most: 4000, power: 11 }, table: { ...usualTable, power: 4.3 } })).toEqual([]);
+  // 187 m/min at ⌀61.3 are 971 rpm: 42.3 Nm give 4.3 kW there, 55 Nm 5.6 kW.
+  const flat = (torque: number) => ({ most: 4000, power: 11, torque: [{ speed: 0, torque }, { speed: 4000, torque }] });
+  expect(codes({ machine: flat(42.3) })).toEqual(["power Q463 1.801"]);
+  expect(codes({ machine: flat(55) })).toEqual([]);
+  expect(codes({ machine: flat(55), largest: 97.3 })).toEqual(["power Q463 1.475"]);
 });
 
 test("what is not known is not judged: feeds a minute, FAUTO, a round spindle speed, a blade", () => {

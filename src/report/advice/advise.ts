@@ -3,9 +3,11 @@ import type { SomeValues } from "../../cycles/effect.ts";
 import type { Param, Topic } from "../../cycles/params.ts";
 import { cutLength, isBar, noseRadius } from "../../kernel/insert.ts";
 import type { Spindle } from "../../kernel/step.ts";
+import { speedAt, withinLimit } from "../../kernel/time.ts";
 import type { Tool } from "../../kernel/tool.ts";
-import { radians, rounded, roundedDown } from "../../kernel/units.ts";
+import { diameter, radians, rounded, roundedDown, toRadius } from "../../kernel/units.ts";
 import { ROUGH_RZ, rzByRule } from "../../sim/load/cusp.ts";
+import { powerAt, type SpindleData } from "../../program/machine-data.ts";
 import type { CuttingTable, CutMaterial } from "../../program/cutting-table.ts";
 import { cuttingPower, depthForPower, EDGE_USED, FEED_OF_NOSE, feedForRz, heldDownTo } from "./formulas.ts";
 
@@ -20,6 +22,10 @@ export interface Advised {
   readonly depth: number;
   /** The smallest diameter that is cut, mm. */
   readonly smallest: number;
+  /** The largest one, mm: there the spindle turns slowest. */
+  readonly largest: number;
+  /** What the spindle of the machine can give; null where nobody has said so, and then the table says it. */
+  readonly machine: SpindleData | null;
   readonly material: CutMaterial;
   readonly table: CuttingTable;
 }
@@ -80,14 +86,16 @@ function ofSurface({ cycle, tool, values, perRevolution }: Advised): readonly Ad
 }
 
 function ofPower(asked: Advised): readonly Advice[] {
-  const { cycle, tool, spindle, values, perRevolution, material, table, depth } = asked;
+  const { cycle, tool, spindle, values, perRevolution, material, table, depth, machine, largest } = asked;
   const at = qOf(cycle, "infeed"), feedAt = qOf(cycle, "roughingFeed"), feed = feedAt === null ? undefined : values[feedAt];
   if (at === null || !perRevolution || spindle?.kind !== "surface" || !positive(feed) || cycle.group === "thread") return [];
   const lead = radians(isBar(tool) ? LEAD : tool["T-ANGLE"] ?? LEAD), speed = spindle.cuttingSpeed;
   const power = cuttingPower(material, depth, feed, speed, lead);
-  if (power <= table.power) return [];
-  const better = roundedDown(depthForPower(material, table.power, feed, speed, lead));
-  return [{ code: "power", at, data: { power, most: table.power, speed }, better }];
+  const slowest = machine && speedAt(withinLimit(spindle, machine.most), toRadius(diameter(largest)));
+  const most = (machine && slowest !== null ? powerAt(machine, slowest) : null) ?? table.power;
+  if (power <= most) return [];
+  const better = roundedDown(depthForPower(material, most, feed, speed, lead));
+  return [{ code: "power", at, data: { power, most, speed }, better }];
 }
 
 function ofSpindle({ spindle, smallest, material }: Advised): readonly Advice[] {
