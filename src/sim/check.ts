@@ -76,7 +76,7 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
   if (touches && !isDrill(step.tool) && sweep.pieces.some((p) => finished.edges.meets(p))) {
     const taken = sure(real(inStock([sweep], now, finished.rings)));
     const kind = taken.length > 0 && isPlainCut(step)
-      ? judgePlainCut(index, taken, { ...against, surfaces: finished.surfaces, cut })
+      ? judgePlainCut(index, taken, cut, { ...against, surfaces: finished.surfaces })
       : "gouge";
     if (kind === "meant") report("cutBelowContour", taken, { ...step, isMeant: true });
     else if (kind) report(kind, taken);

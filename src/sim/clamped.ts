@@ -1,13 +1,12 @@
-import { boxAround } from "../kernel/box.ts";
 import type { Ring } from "../kernel/point.ts";
 import { regionsOf } from "./region.ts";
 import type { Simulation } from "./simulation.ts";
 
-/** What stands at the end of a run, piece by piece: each an outline with its cavities. */
+/** What a run leaves, piece by piece: each an outline with its cavities. */
 export interface LeftPieces {
-  /** The piece in the chuck: it reaches farthest back. Null where nothing is left. */
+  /** The piece in the chuck. Null where nothing is left. */
   readonly held: readonly Ring[] | null;
-  /** Pieces that do not hang together with it, the largest first. */
+  /** Pieces that came off, the largest first. */
   readonly off: readonly (readonly Ring[])[];
 }
 
@@ -15,9 +14,8 @@ export interface LeftPieces {
 const PIECE = 1;
 
 /** The pieces that a run leaves. */
-export function leftPieces({ final }: Pick<Simulation, "final">): LeftPieces {
-  const pieces = regionsOf(final, PIECE).toSorted((a, b) => b.area - a.area).map(({ outline, holes }) => [outline, ...holes]);
-  const back = (piece: readonly Ring[]) => boxAround([...piece]).left;
-  const held = pieces.reduce<readonly Ring[] | null>((best, piece) => (best && back(best) <= back(piece) ? best : piece), null);
-  return { held, off: pieces.filter((piece) => piece !== held) };
+export function leftPieces({ final, proof }: Pick<Simulation, "final" | "proof">): LeftPieces {
+  const [held] = regionsOf(final, PIECE).toSorted((a, b) => b.area - a.area);
+  const off = proof.loose.filter(({ area }) => area > PIECE).toSorted((a, b) => b.area - a.area);
+  return { held: held ? [held.outline, ...held.holes] : null, off: off.map(({ rings }) => rings) };
 }

@@ -10,6 +10,7 @@ import type { Step } from "../kernel/step.ts";
 import { CHORD } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { merged, type Cutting } from "./cutting.ts";
+import { brokenApart, type RearEnd } from "./held.ts";
 import type { Outlines } from "./outlines.ts";
 import type { SimulatedOperation } from "./simulation.ts";
 import { sweptBy, turned } from "./sweep.ts";
@@ -20,8 +21,8 @@ import { sweptBy, turned } from "./sweep.ts";
 
 /** A region lies against a surface where they are this near, mm; both carry chord errors, and the finished part is shrunk. */
 const AGAINST = 0.02;
-/** Moves that are looked at for a face: a face is cut in few. */
-const FACING = 40;
+/** Moves that are looked at for an end of the part: it is cut in few. */
+const FEW = 40;
 /** Less of a surface than this is the corner at which it ends, mm. */
 const LEAST_SURFACE = 0.1;
 
@@ -29,12 +30,16 @@ const LEAST_SURFACE = 0.1;
 export interface Surface {
   readonly operation: number;
   readonly line: readonly Pt[];
+  /** It lies in a bore. */
+  readonly isInside: boolean;
 }
 
 /** The surfaces that operations make; `first` is the index of the first of them in the run. */
 export const contourSurfaces = (operations: readonly SimulatedOperation[], first: number): Surface[] =>
   operations.flatMap(({ plan }, i) =>
-    plan.contour.length === 0 || plan.moves.length === 0 ? [] : [{ operation: first + i, line: part.flattenedChain(plan.contour, CHORD) }]
+    plan.contour.length === 0 || plan.moves.length === 0
+      ? []
+      : [{ operation: first + i, line: part.flattenedChain(plan.contour, CHORD), isInside: plan.openSide.r < 0 }]
   );
 
 /** A feed move outside cycles. */
@@ -50,17 +55,27 @@ export function plainRun(steps: readonly Step[], index: number): readonly [first
   return [first, last];
 }
 
-/** Tools that make a shape by themselves: blades, threads, drills and what bores. A boring bar points away from the axis. */
-const makesShape = (tool: Tool): boolean => isBar(tool) || tool.TYPE === "THREAD" || isDrill(tool) || tipDirection(tool.TO).v > 0;
+/** The first of the steps outside cycles that the same tool makes up to a step. */
+export function plainSince(steps: readonly Step[], index: number): number {
+  let first = index;
+  while (steps[first - 1]?.operation === null && steps[first - 1]?.tool === steps[index]?.tool) first -= 1;
+  return first;
+}
 
-/** How much of a surface lies against an area, mm. */
-function lengthAgainst({ line }: Surface, wide: readonly Ring[]): number {
+/** A boring bar points away from the axis. */
+const bores = (tool: Tool): boolean => tipDirection(tool.TO).v > 0;
+/** Tools that make a shape by themselves. */
+const makesShape = (tool: Tool): boolean => isBar(tool) || tool.TYPE === "THREAD" || isDrill(tool) || bores(tool);
+
+/** How much of a surface lies against an area, mm. A face ends where a bore begins, so that boring takes nothing of it. */
+function lengthAgainst({ line, isInside: inBore }: Surface, wide: readonly Ring[], tool: Tool): number {
   const box = boxAround(wide);
   const holds = (p: Pt) =>
     p.z >= box.left && p.z <= box.right && p.r >= box.low && p.r <= box.high && wide.some((ring) => isInside(ring, p));
   let length = 0;
   line.slice(1).forEach((q, i) => {
     const p = line[i] as Pt, size = hypotenuse(q.z - p.z, q.r - p.r);
+    if (bores(tool) && !inBore && Math.abs(q.r - p.r) > Math.abs(q.z - p.z)) return;
     if (Math.max(p.z, q.z) < box.left || Math.min(p.z, q.z) > box.right || Math.max(p.r, q.r) < box.low || Math.min(p.r, q.r) > box.high)
       return;
     const parts = Math.max(1, Math.ceil(size / AGAINST));
@@ -73,9 +88,9 @@ function lengthAgainst({ line }: Surface, wide: readonly Ring[]): number {
 }
 
 /** The surfaces that an area takes away. */
-export function surfacesIn(area: readonly Ring[], surfaces: readonly Surface[]): Surface[] {
+export function surfacesIn(area: readonly Ring[], surfaces: readonly Surface[], tool: Tool): Surface[] {
   const wide = offset(area, AGAINST);
-  return surfaces.filter((surface) => lengthAgainst(surface, wide) >= LEAST_SURFACE);
+  return surfaces.filter((surface) => lengthAgainst(surface, wide, tool) >= LEAST_SURFACE);
 }
 
 const crossProduct = (o: Pt, a: Pt, b: Pt) => (a.z - o.z) * (b.r - o.r) - (a.r - o.r) * (b.z - o.z);
@@ -90,42 +105,77 @@ function goesThrough({ line }: Surface, step: Step, insert: Ring): boolean {
   return line.slice(1).some((q, i) => ways.some(([a, b]) => crosses(a, b, line[i] as Pt, q)));
 }
 
+/** What a plain cut is held against beside the stock. */
+export interface Beside {
+  readonly steps: readonly Step[];
+  readonly surfaces: readonly Surface[];
+  readonly rear: RearEnd | null;
+  readonly outlines: (tool: Tool) => Outlines;
+}
+
 /** What a plain cut below a finished contour is; "meant" is no fault, unless what follows it changes; null: it is not below one. */
 export type PlainCut = "gouge" | "cutBelowContour" | "meant" | null;
 
 /**
  * Judges a plain cut that takes `area` of the finished part in a stock. Inside the part, where no contour of a cycle is taken away, it makes
- * a surface of its own. A face in front of which nothing stays is meant, as is what the program says to be. It goes
- * through a finished surface by mistake when it makes none of the shapes that are cut on purpose: compensated, with a tool that does not rough, or
- * from outside the stock to outside of it.
+ * a surface of its own. An end of the part or a broken edge is meant, as is what the program says to be. It goes through a finished surface by mistake when it
+ * makes none of the shapes that are cut on purpose: compensated, with a tool that does not rough, or from outside the stock to outside of it.
  */
-export function judgePlainCut(
-  index: number,
-  area: readonly Ring[],
-  { steps, surfaces, outlines, cut }: { readonly steps: readonly Step[]; readonly surfaces: readonly Surface[];
-    readonly outlines: (tool: Tool) => Outlines; readonly cut: Cutting },
-): PlainCut {
+export function judgePlainCut(index: number, area: readonly Ring[], cut: Cutting, beside: Beside): PlainCut {
+  const { steps, surfaces, outlines } = beside;
   const step = steps[index] as Step;
-  const touched = surfacesIn(area, surfaces);
+  const touched = surfacesIn(area, surfaces, step.tool);
   if (touched.length === 0) return null;
   if (step.intent === "meant") return "meant";
   const { insert } = outlines(step.tool);
   const [, last] = plainRun(steps, index);
   const stock = cut.stock();
-  const rest = steps.slice(index, Math.min(last + 1, index + FACING)).flatMap((s) => sweptBy(insert, s).rings);
-  if (isFace(stock, merged(rest), area)) return "meant";
+  if (makesEnd(index, area, stock, beside)) return "meant";
   const end = (steps[last] as Step).move.to;
   const isOutside = () => real(intersection(stock, turned(insert.map((p) => at(p.z + end.z, p.r + end.r))))).length === 0;
   const isShape = step.intent === "compensated" || makesShape(step.tool) || isOutside();
+  if (isShape && breaksEdge(area, stock)) return "meant";
   return !isShape && touched.some((surface) => goesThrough(surface, step, insert)) ? "gouge" : "cutBelowContour";
 }
 
-/** True when nothing stays in front of what is cut. */
-function isFace(stock: readonly Ring[], swept: readonly Ring[], area: readonly Ring[]): boolean {
-  const front = { left: boxAround(area).left + AGAINST, right: Infinity, low: -Infinity, high: Infinity };
-  return areaOf(real(inBox(difference(stock, swept), front))) < REAL_AREA;
+/**
+ * Whether a cut makes an end of the part: what its tool cuts there before anything else leaves nothing in front of it that is still held. A
+ * part is faced so, and parted off, which may take a groove and a chamfer before.
+ */
+function makesEnd(index: number, area: readonly Ring[], stock: readonly Ring[], { steps, rear, outlines }: Beside): boolean {
+  const step = steps[index] as Step, { insert } = outlines(step.tool), own = boxAround(area);
+  const after: Ring[] = [];
+  for (let i = index, few = 0; i < steps.length && few < FEW; i += 1) {
+    const next = steps[i] as Step;
+    if (next.operation !== null || next.tool !== step.tool) break;
+    if (next.move.kind === "rapid") continue;
+    few += 1;
+    const { rings } = sweptBy(insert, next), box = boxAround(rings);
+    if (box.left < own.right + AGAINST && box.right > own.left - AGAINST) after.push(...rings);
+  }
+  const left = difference(stock, merged(after));
+  const held = (rear && brokenApart(left, rear, index)?.held) ?? left;
+  const front = { left: own.left + AGAINST, right: Infinity, low: -Infinity, high: Infinity };
+  return areaOf(real(inBox(held, front))) < REAL_AREA;
+}
+
+/** A chamfer or a rounding is at most so many times as long as it is wide, and an edge turns by more than this, as a sine. */
+const [SLIM, EDGE] = [4, 0.25];
+
+/** Whether a cut takes an outer edge of the stock away, as a chamfer does. */
+function breaksEdge(area: readonly Ring[], stock: readonly Ring[]): boolean {
+  const wide = offset(area, AGAINST), { left, right, low, high } = boxAround(area);
+  if (right - left > SLIM * (high - low) || high - low > SLIM * (right - left)) return false;
+  return stock.some((ring) =>
+    ring.some((p, i) => {
+      const [before, next] = [ring.at(i - 1) as Pt, ring[(i + 1) % ring.length] as Pt];
+      const turn = crossProduct(before, p, next),
+        sides = hypotenuse(p.z - before.z, p.r - before.r) * hypotenuse(next.z - p.z, next.r - p.r);
+      return turn > EDGE * sides && wide.some((outline) => isInside(outline, p));
+    })
+  );
 }
 
 /** The operation whose contour a cut goes below: that of the surface which is taken first. */
-export const operationBelow = (area: readonly Ring[], surfaces: readonly Surface[]): number | null =>
-  surfacesIn(area, surfaces)[0]?.operation ?? null;
+export const operationBelow = (area: readonly Ring[], surfaces: readonly Surface[], tool: Tool): number | null =>
+  surfacesIn(area, surfaces, tool)[0]?.operation ?? null;

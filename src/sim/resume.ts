@@ -11,7 +11,7 @@ import { sidesOf } from "./edges.ts";
 import type { MeasuredSoFar, StockMeasure } from "./measure.ts";
 import type { Parted } from "./held.ts";
 import type { Outlines } from "./outlines.ts";
-import { isPlainCut, plainRun, type Surface } from "./plain-cut.ts";
+import { isPlainCut, plainSince, type Surface } from "./plain-cut.ts";
 import { sameRings, sameSteps } from "./same-step.ts";
 import type { Checkpoint, SimulatedOperation, SimulationInput, AnyFinding } from "./simulation.ts";
 import { sweptBy, waypoints } from "./sweep.ts";
@@ -97,8 +97,8 @@ function touching(
   const lines = (of: readonly Surface[]) => of.map(({ line }) => line);
   const isSame = sameRings(former.finished.rings, finished);
   const sameSurfaces = sameRings(lines(former.finished.surfaces), lines(surfaces));
-  // What is meant with a plain cut shows at the end of its run, which may be another one now.
-  const open = isPlainCut(input.steps[until - 1]) ? plainRun(input.steps, until - 1)[0] : until;
+  // What is meant with a plain cut shows in what its tool does next, which may be something else now.
+  const open = input.steps[until - 1]?.operation === null ? plainSince(input.steps, until - 1) : until;
   const judged = (i: number) => former.damage.get(i)?.some(({ kind }) => kind === "gouge" || kind === "cutBelowContour") === true;
   if (isSame) {
     const first = sameSurfaces ? open : 0;

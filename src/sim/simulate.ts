@@ -137,10 +137,10 @@ const fallen = (parted: readonly Parted[]): number =>
   parted.reduce((sum, { loose }) => sum + loose.reduce((all, { area }) => all + area, 0), 0);
 
 /** A finding with what only the whole run tells of it; none where that shows it to be no fault. */
-function settled(f: AnyFinding, loose: readonly LoosePiece[], below: (area: readonly Ring[]) => number | undefined): AnyFinding[] {
+function settled(f: AnyFinding, loose: readonly LoosePiece[], below: (f: AnyFinding) => number | undefined): AnyFinding[] {
   if (f.isMeant) return [];
   if (f.kind === "cutOnLoosePiece") return onLoosePieces(f, loose);
-  return [f.kind === "cutBelowContour" ? { ...f, other: below(f.rings) ?? f.block } : f];
+  return [f.kind === "cutBelowContour" ? { ...f, other: below(f) ?? f.block } : f];
 }
 
 const isRemark = (f: AnyFinding): f is StockFinding<StockRemark> => f.kind === "cutBelowContour" || f.kind === "feedBehindBlank";
@@ -246,7 +246,7 @@ function simulated(
   for (const each of damage.values()) found.add(each);
   const loose = held.parted().flatMap((parted) => loosePieces(parted, steps));
   const blockOf = (operation: number | null) => steps[operations[operation ?? -1]?.firstStep ?? -1]?.block;
-  const below = (area: readonly Ring[]) => blockOf(operationBelow(area, setups.surfaces));
+  const below = ({ rings, step }: AnyFinding) => blockOf(operationBelow(rings, setups.surfaces, (steps[step] as Step).tool));
   const all = found.all().flatMap((f) => settled(f, loose, below));
   const findings = all.filter(isFault);
   const measured = measure.results(steps);
