@@ -12,6 +12,12 @@ type DataOf<C extends AnyCode> = Extract<AnyIssue, { code: C }>["data"];
 const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   missing: {},
   pitchZero: {},
+  depthOfOtherProfile: { depth: 1.113, pitch: 1.814, factor: 0.613, angle: 55, right: 0.64, nearest: 1.162 },
+  toothAssumed: { height: 2.5 },
+  threadSurfaceSpeed: { cuttingSpeed: 150, slow: 1200, fast: 2500 },
+  threadOverruns: { meets: "shaft", area: 1.5, x: 18.77, z: -27.4, axis: "Z", end: -25, to: -27 },
+  crestMissing: { missing: 0.6, diameter: 20 },
+  pitchNotListed: { element: 4, pitch: 1.5875, below: 1.5, above: 1.75, words: "DEPTH BREADTH" },
   depthFromPitch: { depth: 0.92, pitch: 1.5, factor: 0.613 },
   threadOverInsert: { depth: 5.25, most: 4.33 },
   threadMeets: { place: "behind", over: 20.5, x: 100.5, z: -35.25, most: 8.75 },
@@ -192,6 +198,7 @@ describe.each(LANGUAGES)("messages in %s", (language) => {
     expect(sentence).not.toMatch(/undefined|NaN|\[object|null/);
     const own = Object.entries(SAMPLES[code]).filter(([key, value]) =>
       !["reason", "edge", "quantity", "place", "shape", "motion"].includes(key) && typeof value !== "boolean"
+      !["reason", "edge", "quantity", "place", "meets"].includes(key) && typeof value !== "boolean"
     );
     const shown = own.map(([, value]) => (typeof value === "number" ? formatNumber(language, value, 4) : String(value)));
     for (const data of shown.filter((text) => !text.includes(","))) expect(sentence).toContain(data);

@@ -17,7 +17,8 @@ export interface DrawnSetup {
   /** Of a free-contour cycle. */
   readonly contour: readonly Segment[] | null;
   /** A shipped tool, the tip turned towards the work, and what else is different. */
-  readonly tool: { readonly T: number; readonly TO: TipOrientation; readonly RS?: number; readonly CUTWIDTH?: number };
+  readonly tool: { readonly T: number; readonly TO: TipOrientation; readonly RS?: number; readonly CUTWIDTH?: number;
+    readonly CUTLENGTH?: number };
   /** Where the tip stands at the call when nothing is wrong. */
   readonly start: Pt;
   readonly blank: Ring;

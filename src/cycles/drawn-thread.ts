@@ -1,5 +1,5 @@
 import { contourFrom, type ContourElement } from "../kernel/contour.ts";
-import { at } from "../kernel/point.ts";
+import { at, type Ring } from "../kernel/point.ts";
 import { METRIC } from "../kernel/metric-thread.ts";
 import type { TipOrientation } from "../kernel/tool.ts";
 import { rounded, toDiameter } from "../kernel/units.ts";
@@ -30,7 +30,24 @@ function threadValues(draw: Draw, out: 1 | -1) {
   return { values, depth };
 }
 
-const tool = (out: 1 | -1): DrawnSetup["tool"] => ({ T: out > 0 ? 12 : 13, TO: out > 0 ? 2 : 6 });
+/** A tooth over whose tip material may stand as high as these set-ups have it, mm. */
+const HIGH = 12;
+
+const tool = (out: 1 | -1, tooth = HIGH): DrawnSetup["tool"] => ({ T: out > 0 ? 12 : 13, TO: out > 0 ? 2 : 6, CUTLENGTH: tooth });
+
+/** Half as wide as the shipped thread tools are at the height of their tooth, mm: 60° about a nose of 0.1. */
+const besideTip = (tooth: number) => (tooth + 0.1) * Math.tan(Math.PI / 6);
+/** So little behind a flank a shoulder is clear of it, mm. */
+const CLEAR = 0.005;
+
+/** A blank with a shoulder behind its end `z`, towards −Z where `along` is 1; in a bore the shoulder is a step towards the axis. */
+function shouldered(blank: Ring, { z, along, surface, to }: { z: number; along: 1 | -1; surface: number; to: number }): Ring {
+  const [ends, heights] = [blank.map((p) => p.z), blank.map((p) => p.r)];
+  const [front, back] = along > 0 ? [Math.max(...ends), Math.min(...ends)] : [Math.min(...ends), Math.max(...ends)];
+  const core = heights.find((r) => Math.abs(r - surface) > 1e-6) ?? 0;
+  const ring = [at(front, core), at(front, surface), at(z, surface), at(z, to), at(back, to), at(back, core)];
+  return along > 0 === to > core ? ring.reverse() : ring;
+}
 
 /** A thread in a face, towards the axis or away from it, in front or behind. */
 function faceThread(draw: Draw): DrawnSetup {
@@ -44,7 +61,7 @@ function faceThread(draw: Draw): DrawnSetup {
   return {
     values: { ...values, Q461: 1, Q464: 0, Q469: 0, Q491: toDiameter(r1), Q492: z1, Q493: 2 * r2, Q494: z2 },
     contour: null,
-    tool: { T: 12, TO },
+    tool: { T: 12, TO, CUTLENGTH: HIGH },
     start: at(face + along * mm(draw, 1, 5), r1 + inwards * mm(draw, 2, 8)),
     blank: box(face, face - along * 25, r1, inwards > 0 ? Math.max(0, r2 - 12) : r2 + 12),
   };
@@ -63,6 +80,12 @@ function longThread(draw: Draw, extended: boolean): DrawnSetup {
   const [low, high] = [Math.min(r1, r2) - (form > 1 ? steep : 0), Math.max(r1, r2) + (form > 1 ? steep : 0)];
   const surface = out > 0 ? high + mostly(draw, 0, 0.2) : low - depth - mostly(draw, 0, 0.2);
   const long = form === 1 || form === 3 ? 40 : 0;
+  const blank = box(z1 + (form === 1 ? along * long : 0), z2 - along * (12 + long), surface, out > 0 ? 0 : surface + 25);
+  // At its bounds: a tooth as high as the thread is deep, and a shoulder right behind the flank of the last pass.
+  const crest = out > 0 ? high : low - depth;
+  const tooth = !extended && Math.abs(surface - crest) < 1e-9 ? draw.one(HIGH, depth, depth + 0.5) : HIGH;
+  const behind = z2 - along * (values.Q472 + besideTip(tooth) + CLEAR);
+  const hasShoulder = !extended && tooth < HIGH && draw.one(true, false);
   return {
     values: {
       ...values,
@@ -72,9 +95,9 @@ function longThread(draw: Draw, extended: boolean): DrawnSetup {
       Q494: z2,
     },
     contour: null,
-    tool: tool(out),
+    tool: tool(out, tooth),
     start: at(z1 + along * (mm(draw, 3, 12) + long), surface + out * mm(draw, 1, 5)),
-    blank: box(z1 + (form === 1 ? along * long : 0), z2 - along * (12 + long), surface, out > 0 ? 0 : surface + 25),
+    blank: hasShoulder ? shouldered(blank, { z: behind, along, surface, to: surface + out * mm(draw, 2, 12) }) : blank,
   };
 }
 

@@ -1,5 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { at, type Ring } from "../kernel/point.ts";
+import type { Tool } from "../kernel/tool.ts";
+import { degrees, length } from "../kernel/units.ts";
 import { shippedTools } from "../program/shipped-tools.ts";
 import { c831 } from "./c831.ts";
 
@@ -7,13 +9,24 @@ import { c831 } from "./c831.ts";
 const box = (z0: number, z1: number, r: number): Ring => [at(z0, 0), at(z0, r), at(z1, r), at(z1, 0)];
 const shaft = box(0, -100, 20);
 
-function planned(own: Readonly<Record<string, number>>, stock: readonly Ring[] = [shaft], inside = false) {
+interface Other {
+  readonly inside?: boolean;
+  readonly columns?: Partial<Tool>;
+}
+/** A tooth of 10 mm: what stands beside the thread is then in its way, not over its crest. */
+const HIGH: Other = { columns: { CUTLENGTH: length(10) } };
+
+function planOf(own: Readonly<Record<string, number>>, stock: readonly Ring[] = [shaft], { inside = false, columns = {} }: Other = {}) {
   const example = Object.fromEntries(Object.entries(c831.params).map(([q, p]) => [q, p.example]));
   const values = { ...example, Q475: 1, Q476: 0, Q460: 8, Q491: 40, Q494: -30, ...own };
   const shipped = shippedTools.find((t) => t.T === 12) as (typeof shippedTools)[number];
-  const tool = inside ? { ...shipped, TO: 6 as const } : shipped;
+  const tool: Tool = { ...shipped, ...(inside && { TO: 6 as const }), ...columns };
   const start = inside ? at(20, 11) : at(20, 30);
-  const plan = c831.plan(values as never, { tool, start, feedUnit: "mm/rev", autoFeed: null, stock }, { contour: null, start });
+  return c831.plan(values as never, { tool, start, feedUnit: "mm/rev", autoFeed: null, stock }, { contour: null, start });
+}
+
+function planned(...asked: Parameters<typeof planOf>) {
+  const plan = planOf(...asked);
   const errors = plan.issues.filter((i) => i.severity === "error");
   // What is refused has no path, and what is not has one.
   expect(plan.moves.length > 0).toBe(errors.length === 0);
@@ -21,36 +34,52 @@ function planned(own: Readonly<Record<string, number>>, stock: readonly Ring[] =
 }
 
 describe("an insert that is too low is refused", () => {
-  // T12: edges of 12 mm at 60°, about a nose of 0.1 mm.
+  // T12: a tooth of 2.5 mm.
   test("for the depth of the thread", () => {
-    expect(planned({ Q473: 10 })).toEqual([]);
-    expect(planned({ Q473: 10.4 })).toMatchObject([{ code: "threadOverInsert", at: "Q473", data: { depth: 10.4 } }]);
+    expect(planned({ Q473: 2.5 })).toEqual([]);
+    expect(planned({ Q473: 2.501 })).toMatchObject([{ code: "threadOverInsert", at: "Q473", data: { depth: 2.501, most: 2.5 } }]);
+    expect(planned({ Q473: 2.501 }, [shaft], { columns: { CUTLENGTH: length(2.501) } })).toEqual([]);
+  });
+
+  test("and one whose CUTLENGTH is empty is not: it is taken to be as high as the thread is deep, which is told", () => {
+    const told = (Q473: number) => {
+      const plan = planOf({ Q473 }, [shaft], { columns: { CUTLENGTH: length(0) } });
+      expect(plan.issues.filter((i) => i.severity === "error")).toEqual([]);
+      return [plan.issues.find((i) => i.code === "toothAssumed")?.data, plan.tool?.CUTLENGTH];
+    };
+    expect(told(1.2)).toEqual([{ height: expect.closeTo(2.5, 6) }, undefined]);
+    expect(told(4)).toEqual([{ height: expect.closeTo(4.8, 6) }, expect.closeTo(4.8, 6)]);
+    expect(planOf({ Q473: 1.2 }).issues.map((i) => i.code)).not.toContain("toothAssumed");
   });
 
   test("for what stands over the thread, together with its depth", () => {
-    expect(planned({ Q473: 1, Q463: 0.5 }, [box(0, -100, 29)])).toEqual([]);
-    const [found, ...more] = planned({ Q473: 1, Q463: 0.5 }, [box(0, -100, 30)]);
+    expect(planned({ Q473: 1, Q463: 0.5 }, [box(0, -100, 21.5)])).toEqual([]);
+    const [found, ...more] = planned({ Q473: 1, Q463: 0.5 }, [box(0, -100, 22)]);
     expect(more).toEqual([]);
-    expect(found).toMatchObject({ code: "threadMeets", at: "Q491", data: { place: "over", x: 60 } });
+    expect(found).toMatchObject({ code: "threadMeets", at: "Q491", data: { place: "over", x: 44 } });
     const { over, most } = found?.data as { over: number; most: number };
-    expect(over).toBeCloseTo(10, 6);
-    expect(most).toBeLessThan(over);
+    expect(over).toBeCloseTo(2, 6);
+    expect(most).toBeCloseTo(1.5, 6);
   });
 
   test("for a shoulder in the overrun and for a collar in the run-in, with the place", () => {
     const shoulder = box(-31.3, -100, 35.2);
-    expect(planned({}, [box(0, -31.3, 20), shoulder])).toMatchObject([{
+    expect(planned({}, [box(0, -31.3, 20), shoulder], HIGH)).toMatchObject([{
       code: "threadMeets",
       at: "Q494",
       data: { place: "behind", x: 70.4, z: -31.3 },
     }]);
     const collar = box(4.7, 2.2, 33.1);
-    expect(planned({ Q460: 16 }, [shaft, collar])).toMatchObject([{ code: "threadMeets", at: "Q460", data: { place: "before", x: 66.2 } }]);
+    expect(planned({ Q460: 16 }, [shaft, collar], HIGH)).toMatchObject([{
+      code: "threadMeets",
+      at: "Q460",
+      data: { place: "before", x: 66.2 },
+    }]);
   });
 
   test("for the bottom of a bore that the thread runs into", () => {
     const bored: Ring[] = [[at(0, 12), at(0, 40), at(-70, 40), at(-70, 0), at(-31.1, 0), at(-31.1, 12)]];
-    expect(planned({ Q471: 1, Q491: 26 }, bored, true)).toMatchObject([{
+    expect(planned({ Q471: 1, Q491: 26 }, bored, { inside: true, ...HIGH })).toMatchObject([{
       code: "threadMeets",
       at: "Q494",
       data: { place: "behind", z: -31.1 },
@@ -65,15 +94,43 @@ test("a run-in that begins in material is refused with the shortest that does no
   expect(more).toEqual([]);
   expect(found).toMatchObject({ code: "runInBlocked", at: "Q460" });
   const { nearest } = found?.data as { nearest: number };
-  expect(nearest).toBeGreaterThan(15);
+  // In steps that a setter types.
+  expect(nearest).toBe(16);
   expect(planned({ Q460: nearest }, [shaft, collar])).toEqual([]);
-  expect(planned({ Q460: nearest - 0.01 }, [shaft, collar])).toMatchObject([{ code: "runInBlocked" }]);
+  expect(planned({ Q460: nearest - 0.5 }, [shaft, collar])).toMatchObject([{ code: "runInBlocked" }]);
 });
 
 test("a run-in that is blocked all the way has no offer", () => {
-  const [found] = planned({}, [box(200, -100, 20)]);
-  expect(found?.code).toBe("runInBlocked");
+  // Ten turns of 2 mm are a run-in that somebody programs; thirty are none.
+  for (const [end, offers] of [[18, true], [21, false], [200, false]] as const) {
+    const [found] = planned({}, [box(end, -100, 20)]);
+    expect(found?.code).toBe("runInBlocked");
+    expect([end, "nearest" in (found?.data ?? {})]).toEqual([end, offers]);
+  }
+});
+
+test("the depth of the metric profile is told as such to an insert with another angle", () => {
+  const told = (angle: number, Q473 = 0) =>
+    planOf({ Q472: 1.814, Q473 }, [shaft], { columns: { "P-ANGLE": degrees(angle) } }).issues.filter((i) => i.at === "Q473");
+  expect(told(60)).toMatchObject([{ code: "depthFromPitch", severity: "info" }]);
+  expect(told(55)).toMatchObject([{
+    code: "depthOfOtherProfile",
+    severity: "warning",
+    data: { angle: 55, factor: 0.6134, right: 0.6403, nearest: 1.162 },
+  }]);
+  const [found] = told(30);
+  expect(found).toMatchObject({ code: "depthOfOtherProfile", data: { angle: 30 } });
   expect(found?.data).not.toHaveProperty("nearest");
+  expect(told(55, 1.162)).toEqual([]);
+});
+
+test("an infeed of thousands of passes is refused with one that somebody programs", () => {
+  const [found] = planned({ Q473: 2.4, Q463: 0.001, Q468: 1, Q472: 2 });
+  expect(found).toMatchObject({ code: "tooManyPasses", at: "Q463", data: { nearest: 0.05 } });
+  expect(planOf({ Q473: 2.4, Q463: 0.05, Q468: 1 }).passes).toBeLessThanOrEqual(60);
+  expect(planOf({ Q473: 2.4, Q463: 0.001 }).issues).toContainEqual(
+    expect.objectContaining({ code: "tooManyPasses", data: expect.objectContaining({ nearest: 0.35 }) }),
+  );
 });
 
 test("more turns than anybody means are refused at the pitch", () => {

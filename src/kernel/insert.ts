@@ -4,13 +4,17 @@ import { flat, type Flat } from "./flat.ts";
 import { at, part, type Pt, type Ring } from "./point.ts";
 import { JOINED, ROUND } from "./tolerance.ts";
 import type { TipOrientation, Tool } from "./tool.ts";
-import { radians } from "./units.ts";
+import { length, radians } from "./units.ts";
 
 const { beyond, heading, scaled } = flat;
 
 /** Edge length of an insert whose CUTLENGTH is empty, mm: 12, and 30 for the bar of a recessing tool. */
 const EDGE = 12;
 const BAR = 30;
+/** Height of the tooth of a thread insert whose CUTLENGTH is empty, mm: that of the usual insert for pitches from 0.5 to 3 mm. */
+export const USUAL_TOOTH = 2.5;
+/** Point angle of a thread insert whose P-ANGLE is empty, degrees: that of the metric and the unified profile. */
+const POINT_ANGLE = 60;
 
 /** From the centre of the nose radius to the theoretical tip, in nose radii, for each tip orientation (−Z, +X …). */
 export const TIP: Readonly<Record<TipOrientation, Flat>> = {
@@ -37,6 +41,15 @@ export function tipOffset(t: Tool): Flat {
 }
 /** Length of the cutting edge, mm; undefined when none was entered, for which 0 stands too. */
 export const cutLength = (t: Tool) => (t.CUTLENGTH !== undefined && t.CUTLENGTH > 0 ? t.CUTLENGTH : undefined);
+/** Angle between the flanks of a thread insert, degrees. */
+export const pointAngle = (t: Tool): number => t["P-ANGLE"] ?? POINT_ANGLE;
+/** Height of the tooth of a thread insert, mm: its CUTLENGTH. */
+const toothHeight = (t: Tool): number => cutLength(t) ?? USUAL_TOOTH;
+/** A thread tool for flanks of this height, mm: an empty CUTLENGTH limits nothing, so the tooth is then higher than it has to be. */
+export function withToothFor(height: number, t: Tool): Tool {
+  const high = height * 1.2;
+  return cutLength(t) === undefined && high > USUAL_TOOTH && Number.isFinite(high) ? { ...t, CUTLENGTH: length(high) } : t;
+}
 /** Width of a recessing edge with its delta, mm. */
 export const cuttingWidth = (t: Tool) => Math.max(0, (t.CUTWIDTH ?? 0) + (t.DCW ?? 0));
 export const isBar = (t: Tool) => t.TYPE === "RECESS" || t.TYPE === "RECTURN";
@@ -55,7 +68,7 @@ export function insertShape(t: Tool, body = false): Convex {
   if (isDrill(t)) return drillShape(t);
   const shift = scaled(tip, -r);
   if (t.TYPE === "BUTTON") return moved(circle(r), shift);
-  if (t.TYPE === "THREAD") return moved(wedge(r, Math.atan2(-tip.v, -tip.u), (t["P-ANGLE"] ?? 60) / 2, cutLength(t) ?? EDGE), shift);
+  if (t.TYPE === "THREAD") return moved(tooth(r, Math.atan2(-tip.v, -tip.u), pointAngle(t) / 2, toothHeight(t)), shift);
   if (flanksUnknown(t)) return moved(body ? capsule(r, Math.atan2(-tip.v, -tip.u), cutLength(t) ?? EDGE) : circle(r), shift);
   return moved(oriented(parallelogram(t, r), t.TO), shift);
 }
@@ -68,9 +81,12 @@ function parallelogram(t: Tool, r: number): Convex {
   return pointed(r, radians(180 - T - P), radians(180 - T), l, true);
 }
 
-/** A thread wedge about `axis` (from the tip inwards), half angle in degrees. */
-const wedge = (r: number, axis: number, half: number, l: number): Convex =>
-  pointed(r, axis - radians(half), axis + radians(half), l, false);
+/** The tooth of a thread insert about `axis` (from the tip inwards): half angle in degrees, height from the tip in mm. */
+function tooth(r: number, axis: number, half: number, height: number): Convex {
+  const a = radians(half);
+  const edge = (height + r / Math.sin(a) - r) / Math.cos(a);
+  return pointed(r, axis - a, axis + a, edge, false);
+}
 
 /** Two edges in the directions `secondary` and `main` (radians, counter-clockwise in this order), joined by the nose. */
 function pointed(r: number, secondary: number, main: number, l: number, parallel: boolean): Convex {

@@ -51,6 +51,13 @@ interface Data {
   pitchZero: {};
   /** The depth that counts because none was entered: a part of the pitch. */
   depthFromPitch: { depth: number; pitch: number; factor: number };
+  /**
+   * The same with an insert of another profile than the metric one, to which the factor belongs. `right`: what its own profile has,
+   * in pitches and on the radius.
+   */
+  depthOfOtherProfile: { depth: number; pitch: number; factor: number; angle: number; right?: number; nearest?: number };
+  /** CUTLENGTH is empty: the tooth of the insert is taken to be this high, mm. */
+  toothAssumed: { height: number };
   /** The insert is too low for the depth. */
   threadOverInsert: { depth: number; most: number };
   /** Material stands over the crest, or over its line in the run-in or the overrun; `most` is how high it may, where that is too high. */
@@ -60,7 +67,7 @@ interface Data {
   runOutTooLong: { size: number; max: number; nearest?: number };
   /** The thread does not run on along the axis that is locked to the spindle. */
   threadTurnsBack: { axis: "X" | "Z" };
-  /** Where the run-in begins, the tool would stand in material. */
+  /** Where the run-in begins, the tool would stand in material; without an offer where no run-in of a usual length leads past it. */
   runInBlocked: { x: number; z: number; nearest?: number };
   /** Turns of the spindle in all passes together. */
   threadTooMany: { turns: number; most: number };
@@ -68,6 +75,8 @@ interface Data {
   taperImpossible: { angle: number };
   /** mm/min, and the speed up to which it is not more. */
   threadFeedOverLimit: { feed: number; most: number; speed: number; upTo: number };
+  /** The spindle runs at a constant surface speed, m/min; rpm at the largest diameter of the passes and at the smallest. */
+  threadSurfaceSpeed: { cuttingSpeed: number; slow?: number; fast?: number };
   runInShort: { runIn: number; needed: number; speed: number; nearest?: number };
   /* start point and limits */
   startInArea: { x: number; z: number };
@@ -116,6 +125,8 @@ interface Data {
   recessWord: { element: number; word: string };
   /** Two words of a recess that say the same thing in two ways: it takes one of them. */
   recessWordsExclusive: { element: number; word: string; other: string };
+  /** A thread relief by a pitch that DIN 76 does not list, mm, with its neighbours there; `words` are those that the block has to have. */
+  pitchNotListed: { element: number; pitch: number; below?: number; above?: number; words: string };
   /** Words that the standard gave because the block has none. */
   undercutDefaults: { element: number; words: string };
   /* working plane: compensation, approach and departure. Of a place, milling has x and y; turning x (⌀) and z */
@@ -136,6 +147,16 @@ interface Data {
   /* proof */
   materialLeft: { reason: Reason; area: number; x: number; z: number };
   gouge: { area: number; x: number; z: number };
+  /**
+   * Behind its end a thread cuts the finished part: its tip at the depth (`shaft`), or a flank what stands beside the way of the tip
+   * (`shoulder`). `to`: how far the tip goes, along Z or, in a face, as a diameter; so does `end`, where the thread ends.
+   */
+  threadOverruns: { meets: "shaft" | "shoulder"; area: number; x: number; z: number; axis: "X" | "Z"; end: number; to: number };
+  /**
+   * Over more than half of a thread there is less material than its crest needs: `missing` mm of it, on the radius or along Z, and what
+   * would be right, as a diameter or, in a face, as a Z.
+   */
+  crestMissing: { missing: number; diameter: number } | { missing: number; z: number };
   rapidInStock: { area: number; x: number; z: number };
   holderContact: { x: number; z: number };
   /** A plain cut goes below the contour of the cycle that is called in `block`, mm². */

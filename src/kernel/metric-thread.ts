@@ -1,4 +1,4 @@
-import { SAME } from "./tolerance.ts";
+import { INCH_ROUNDED } from "./tolerance.ts";
 import type { Diameter } from "./units.ts";
 
 /**
@@ -6,6 +6,10 @@ import type { Diameter } from "./units.ts";
  * MANUALplus 4110 p. 170, MANUALplus 620 and CNC PILOT 640 (54843x-03) p. 130, CNC PILOT 4290 p. 525).
  */
 export const METRIC = { outside: 0.6134, inside: 0.5413 } as const;
+/** Angle between the flanks of that profile, degrees. */
+export const METRIC_ANGLE = 60;
+/** Depth of the Whitworth profile (ISO 228, 55°) in pitches, outside and inside. */
+export const WHITWORTH = { angle: 55, depth: 0.6403 } as const;
 
 /** Sizes of ISO 261 up to 72 mm: nominal diameter, coarse pitch (null where there is none), fine pitches, mm. */
 export const METRIC_SIZES: readonly (readonly [nominal: number, coarse: number | null, ...fine: number[]])[] = [
@@ -73,7 +77,8 @@ const BORE = 0.25;
  */
 export function nominalOfBore(bore: Diameter, pitch: number): number {
   const sizes = METRIC_SIZES.filter(([, ...pitches]) => pitches.includes(pitch)).map(([nominal]) => nominal);
-  if (sizes.some((nominal) => Math.abs(nominal - bore) < SAME)) return bore;
+  const meant = sizes.find((nominal) => Math.abs(nominal - bore) <= INCH_ROUNDED);
+  if (meant !== undefined) return meant;
   const sought = bore + METRIC.inside * pitch * 2;
   const near = sizes.filter((nominal) => Math.abs(nominal - sought) <= BORE * pitch);
   const apart = (nominal: number) => Math.abs(nominal - sought);

@@ -39,6 +39,10 @@ export interface ThreadPlan {
   readonly out: Pt;
   /** The room over the crest, as far as any stock reaches: what stands there the thread leaves between its grooves. */
   readonly above: Ring;
+  /** The crest from the beginning of the thread to its end, part space: the surface that has to stand before it is cut. */
+  readonly crest: readonly Pt[];
+  /** Where the tip of the last pass comes to a stop behind the end, part space. */
+  readonly end: Pt;
   readonly runIn: Length;
   /** The lower side of the insert in a groove, from the tip: along the thread and out of the material. */
   readonly side: readonly { readonly u: number; readonly v: number }[];

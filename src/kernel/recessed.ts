@@ -4,6 +4,7 @@ import { issue, type Issue } from "./issue.ts";
 import { at, part, type Segment } from "./point.ts";
 import { SAME } from "./tolerance.ts";
 import { roundedDown, toDiameter } from "./units.ts";
+import { neighboursOfPitch } from "./undercut-table.ts";
 import { undercutShape, type Undercut } from "./undercut.ts";
 
 const { lengthOf, line } = part;
@@ -64,6 +65,10 @@ function putUndercut(chain: ContourChain, undercut: Undercut, element: number, i
     : [Math.sign(cylinder.to.z - corner.z), Math.sign(face.from.r - corner.r)];
   const shape = undercutShape(undercut, toDiameter(corner.r), awayR < 0);
   if ("word" in shape) return [issue("recessWord", "error", { element, word: shape.word }, "contour")];
+  if ("pitch" in shape) {
+    const words = shape.missing.join(" ");
+    return [issue("pitchNotListed", "error", { element, pitch: shape.pitch, words, ...neighboursOfPitch(shape.pitch) }, "contour")];
+  }
   const [first, last] = [shape.vertices[0], shape.vertices[shape.vertices.length - 1]];
   const [broad, high] = [first?.u ?? 0, last?.v ?? 0];
   if (broad > lengthOf(cylinder) + SAME) return [tooLong(element, broad, lengthOf(cylinder))];

@@ -2,8 +2,8 @@ import { expect, test } from "vitest";
 import * as tolerance from "./tolerance.ts";
 
 test("tolerances keep their order, from rounding to what an older control prints", () => {
-  const { NOTHING, ROUND, JOINED, GRID, SAME, CHORD, SLIVER, ARC_END } = tolerance;
-  const order = [NOTHING, ROUND, JOINED, GRID, SAME, CHORD, SLIVER, ARC_END];
+  const { NOTHING, ROUND, JOINED, GRID, SAME, CHORD, SLIVER, INCH_ROUNDED, ARC_END } = tolerance;
+  const order = [NOTHING, ROUND, JOINED, GRID, SAME, CHORD, SLIVER, INCH_ROUNDED, ARC_END];
   expect([...order].sort((a, b) => a - b)).toEqual(order);
   expect(new Set(order).size).toBe(order.length);
 });
@@ -14,6 +14,7 @@ test("every length has its place in that order; the others are no lengths", () =
     "ARC_END",
     "CHORD",
     "GRID",
+    "INCH_ROUNDED",
     "JOINED",
     "NOTHING",
     "ROUND",

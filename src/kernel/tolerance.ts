@@ -16,6 +16,8 @@ export const GRID = 1e-5;
  * 0.0005: this is below it, so that rounding cannot split or merge words.
  */
 export const SAME = 1e-4;
+/** A size of a list in mm that an inch program writes with four decimals, with what is left of it by its own rounding. */
+export const INCH_ROUNDED = 0.01;
 /** How far a chord may leave its arc where arcs become polygons for material removal. */
 export const CHORD = 0.001;
 /** The polygon proof ignores slivers thinner than this: both sides carry a chord error. */

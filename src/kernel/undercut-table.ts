@@ -1,5 +1,5 @@
 import { nominalOfBore } from "./metric-thread.ts";
-import { ROUND } from "./tolerance.ts";
+import { INCH_ROUNDED } from "./tolerance.ts";
 import type { Diameter } from "./units.ts";
 
 /** Measures of an undercut, mm. */
@@ -65,12 +65,21 @@ export function undercutOfDiameter(diameter: Diameter): UndercutMeasures {
 /** A thread beside its undercut: a shaft, or the bore that is programmed before it. */
 export type ThreadedCylinder = "shaft" | { readonly bore: Diameter };
 
+const isListed = (pitch: number) => ([listed]: (typeof DIN_76)[number]): boolean => Math.abs(listed - pitch) <= INCH_ROUNDED;
+
+/** The next pitches of DIN 76 below and above one that is not in its list, mm. */
+export function neighboursOfPitch(pitch: number): { readonly below?: number; readonly above?: number } {
+  const [below] = DIN_76.findLast(([listed]) => listed < pitch) ?? [];
+  const [above] = DIN_76.find(([listed]) => listed > pitch) ?? [];
+  return { ...(below !== undefined && { below }), ...(above !== undefined && { above }) };
+}
+
 /**
- * What DIN 76 gives for a thread of this pitch; null for a pitch that is not in its list. Inside the floor lies at nominal + I, so its
- * depth counts from the bore: (nominal + I − bore) / 2.
+ * What DIN 76 gives for a thread of this pitch, which an inch program only nearly names; null for a pitch that is not in its list. Inside
+ * the floor lies at nominal + I, so its depth counts from the bore: (nominal + I − bore) / 2.
  */
 export function undercutOfPitch(pitch: number, cylinder: ThreadedCylinder): UndercutMeasures | null {
-  const row = DIN_76.find(([listed]) => Math.abs(listed - pitch) < ROUND);
+  const row = DIN_76.find(isListed(pitch));
   if (!row) return null;
   const [listed, R, outer, broad, inner, broadInside] = row;
   const [apart, BREADTH] = cylinder === "shaft"

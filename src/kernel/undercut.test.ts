@@ -100,6 +100,11 @@ describe("UDC", () => {
     expect(Math.min(...c.segments.map((s) => s.to.r))).toBeCloseTo(18.5, 9);
     expect(undercutOfPitch(2, { bore: diameter(20) })).toMatchObject({ DEPTH: 0.25, BREADTH: 10.3 });
     expect(undercutOfPitch(2.1, "shaft")).toBeNull();
+    expect(shaft(udc("THREAD", { PITCH: 2.1, DEPTH: 1.6, BREADTH: 7.4 })).issues.map((i) => i.code)).toEqual(["undercutDefaults"]);
+    // 0.0787 and 0.7874 inch: a pitch of 2 mm in a bore of 20 mm.
+    expect(undercutOfPitch(1.99898, "shaft")).toEqual(undercutOfPitch(2, "shaft"));
+    expect(undercutOfPitch(1.98, "shaft")).toBeNull();
+    expect(undercutOfPitch(1.99898, { bore: diameter(19.99996) })?.DEPTH).toBeCloseTo(0.25, 4);
     expect(undercutOfDiameter(diameter(100))).toMatchObject({ R: 1, DEPTH: 0.4, BREADTH: 4, FACEDEPTH: 0.3 });
   });
 
@@ -126,9 +131,14 @@ describe("UDC", () => {
 
   test.each<[string, ContourElement, object]>([
     ["a pitch that is not listed", udc("THREAD", { PITCH: 2.1 }), {
-      code: "recessWord",
-      data: { word: "DEPTH" },
+      code: "pitchNotListed",
+      data: { pitch: 2.1, below: 2, above: 2.5, words: "DEPTH BREADTH" },
     }],
+    ["a pitch that is not listed, with one of its words", udc("THREAD", { PITCH: 7, DEPTH: 4 }), {
+      code: "pitchNotListed",
+      data: { pitch: 7, below: 6, words: "BREADTH" },
+    }],
+    ["no pitch at all", udc("THREAD", {}), { code: "recessWord", data: { word: "DEPTH" } }],
     ["wider than the cylinder", udc("E", { DEPTH: 2, BREADTH: 31 }), { code: "cornerElementTooLong", data: { size: 31, max: 30 } }],
     ["a slope longer than the breadth", udc("E", { DEPTH: 2, BREADTH: 7 }), { code: "recessWord", data: { word: "BREADTH" } }],
     ["deeper than the axis", udc("E", { DEPTH: 21, BREADTH: 30, ANGLE: 60 }), { code: "recessWord", data: { word: "DEPTH" } }],

@@ -27,8 +27,14 @@ export interface Vertex {
   readonly corner: CornerElement | null;
 }
 
-/** An undercut as its corners from the cylinder to the face, with the words the standard gave; or the word that makes it impossible. */
-export type UndercutShape = { readonly vertices: readonly Vertex[]; readonly defaults: RecessWords } | { readonly word: RecessWord };
+/**
+ * An undercut as its corners from the cylinder to the face, with the words the standard gave; or the word that makes it impossible; or the
+ * words that are missing because the standard does not list the pitch.
+ */
+export type UndercutShape = { readonly vertices: readonly Vertex[]; readonly defaults: RecessWords } | { readonly word: RecessWord } | {
+  readonly pitch: number;
+  readonly missing: readonly RecessWord[];
+};
 
 /** The words of each form in the order of the control; only form E is printed with its words. */
 export const UNDERCUT_WORDS: Readonly<Record<UndercutForm, readonly RecessWord[]>> = {
@@ -78,6 +84,9 @@ function defaultsOf({ form, words }: Undercut, diameter: Diameter, inside: boole
 export function undercutShape(undercut: Undercut, diameter: Diameter, inside: boolean): UndercutShape {
   const defaults = defaultsOf(undercut, diameter, inside);
   const w: RecessWords = { ...defaults, ...undercut.words };
+  const { PITCH } = w;
+  const missing = UNDERCUT_WORDS[undercut.form].filter((word) => !SPARE.has(word) && w[word] === undefined);
+  if (undercut.form === "THREAD" && PITCH !== undefined && PITCH > ROUND && missing.length > 0) return { pitch: PITCH, missing };
   const wrong = impossible(undercut.form, w);
   if (wrong) return { word: wrong };
   const made = verticesOf(undercut.form, w);

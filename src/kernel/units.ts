@@ -47,6 +47,8 @@ export const STEP = 1 / STEPS;
 export const rounded = (size: number) => Math.round(size * STEPS) / STEPS;
 export const roundedDown = (size: number) => Math.floor(size * STEPS + SAME_STEP) / STEPS;
 export const roundedUp = (size: number) => Math.ceil(size * STEPS - SAME_STEP) / STEPS;
+/** The next size up on a coarser grid, as a setter types it, mm. */
+export const roundedUpTo = (step: number, size: number) => rounded(Math.ceil(size / step - SAME_STEP) * step);
 
 /** Steps of an angle in one degree that a control prints. */
 const ANGLE_STEPS = 10_000;

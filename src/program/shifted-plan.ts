@@ -1,4 +1,4 @@
-import type { Plan } from "../kernel/plan.ts";
+import type { Plan, ThreadPlan } from "../kernel/plan.ts";
 import type { Move } from "../kernel/move.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
 import { axial, radius } from "../kernel/units.ts";
@@ -19,6 +19,13 @@ export const shiftedSegment = (s: Segment, by: By): Segment => {
 const move = (m: Move, by: By): Move =>
   m.kind === "arc" ? { ...m, to: shiftedPoint(m.to, by), centre: shiftedPoint(m.centre, by) } : { ...m, to: shiftedPoint(m.to, by) };
 
+const shiftedThread = (thread: ThreadPlan, by: By): ThreadPlan => ({
+  ...thread,
+  above: thread.above.map((p) => shiftedPoint(p, by)),
+  crest: thread.crest.map((p) => shiftedPoint(p, by)),
+  end: shiftedPoint(thread.end, by),
+});
+
 /** A plan made in the coordinates of the program, where the shifted datum puts it on the workpiece. */
 export function shiftedPlan(plan: Plan, by: By): Plan {
   if (by.x === 0 && by.z === 0) return plan;
@@ -29,7 +36,7 @@ export function shiftedPlan(plan: Plan, by: By): Plan {
     contour: plan.contour.map((s) => shiftedSegment(s, by)),
     area: plan.area.map((p) => shiftedPoint(p, by)),
     part: plan.part.map((p) => shiftedPoint(p, by)),
-    ...(plan.thread && { thread: { ...plan.thread, above: plan.thread.above.map((p) => shiftedPoint(p, by)) } }),
+    ...(plan.thread && { thread: shiftedThread(plan.thread, by) }),
     reach: reach(plan.reach),
     kept: reach(plan.kept),
     ...(plan.unlimited && { unlimited: reach(plan.unlimited) }),

@@ -35,8 +35,8 @@ export const shippedTools: readonly Tool[] = [
   tool(9, "OD-RECTURN-3", "RECTURN", 2, 0.2, { width: 3, cut: 30 }),
   tool(10, "OD-RECESS-2", "RECESS", 2, 0.1, { width: 2, cut: 20 }),
   tool(11, "BUTTON-R3", "BUTTON", 2, 3, {}),
-  tool(12, "THREAD-60-OD", "THREAD", 2, 0.1, { point: 60 }),
-  tool(13, "THREAD-60-ID", "THREAD", 6, 0.1, { point: 60 }),
+  tool(12, "THREAD-60-OD", "THREAD", 2, 0.1, { point: 60, cut: 2.5 }),
+  tool(13, "THREAD-60-ID", "THREAD", 6, 0.1, { point: 60, cut: 2.5 }),
   tool(14, "ID-RECTURN-2", "RECTURN", 6, 0.2, { width: 2, cut: 12 }),
   tool(15, "FACE-DNMG-55-R08", "ROUGH", 1, 0.8, { angles: [120, 55], cut: 12 }),
 ];

@@ -1,4 +1,5 @@
 import { issue, type Issue } from "../kernel/issue.ts";
+import { USUAL_TOOTH } from "../kernel/insert.ts";
 import { mends, offerOf, withOffer } from "../kernel/offer.ts";
 import type { DrillType, Tool } from "../kernel/tool.ts";
 import { checkTool } from "./check-tool.ts";
@@ -197,7 +198,9 @@ function readTurning(entry: ToolEntry): EntryReading {
   return { tool: sound ? (row as unknown as Tool) : null, mill: null, number: T ?? null, issues: kept };
 }
 
+/** What nobody knows of the flanks of an insert, at its column. */
 function flanks(type: string, values: Numbers["values"]): Issue[] {
+  if (type === "THREAD" && values.CUTLENGTH === undefined) return [issue("toothAssumed", "info", { height: USUAL_TOOTH }, "CUTLENGTH")];
   if (type !== "ROUGH" && type !== "FINISH") return [];
   const empty = (["T-ANGLE", "P-ANGLE"] as const).find((column) => values[column] === undefined);
   return empty ? [issue("flanksNotChecked", "info", {}, empty)] : [];

@@ -95,6 +95,9 @@ describe("a row of the table", () => {
     [{ TO: "1.5" }, ["TO toolColumn"]],
     [{ "P-ANGLE": "85" }, ["P-ANGLE toolColumn"]],
     [{ "P-ANGLE": "" }, ["P-ANGLE flanksNotChecked"]],
+    [{ TYPE: "THREAD", CUTLENGTH: "" }, ["CUTLENGTH toothAssumed"]],
+    [{ TYPE: "THREAD", CUTLENGTH: "0" }, ["CUTLENGTH toothAssumed"]],
+    [{ TYPE: "THREAD", CUTLENGTH: "2.5" }, []],
     [{ NAME: "a" }, ["NAME toolName"]],
     [{ NAME: "CNMG 80" }, ["NAME toolName"]],
     [{ NAME: "CNMG_80-R0.8#$%&," }, []],
@@ -211,8 +214,8 @@ describe("the control's column text", () => {
       9       OD-RECTURN-3                                                                                      0.2                    2                               30          3                        RECTURN 
       10      OD-RECESS-2                                                                                       0.1                    2                               20          2                        RECESS  
       11      BUTTON-R3                                                                                         3                      2                                                                    BUTTON  
-      12      THREAD-60-OD                                                                                      0.1                    2                      60                                            THREAD  
-      13      THREAD-60-ID                                                                                      0.1                    6                      60                                            THREAD  
+      12      THREAD-60-OD                                                                                      0.1                    2                      60       2.5                                  THREAD  
+      13      THREAD-60-ID                                                                                      0.1                    6                      60       2.5                                  THREAD  
       14      ID-RECTURN-2                                                                                      0.2                    6                               12          2                        RECTURN 
       15      FACE-DNMG-55-R08                                                                                  0.8                    1             120      55       12                                   ROUGH   
       [END]

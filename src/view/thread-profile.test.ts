@@ -13,6 +13,8 @@ const thread: ThreadPlan = {
   slope: Math.tan((29 * Math.PI) / 180),
   out: at(0, 1),
   above: [],
+  crest: [],
+  end: at(0, 0),
   runIn: length(5),
   side: [{ u: -5 * tan, v: 5 }, { u: 0, v: 0 }, { u: 5 * tan, v: 5 }],
 };

@@ -16,6 +16,8 @@ const QUARTER = 64;
 /** Length of an edge, and of a recessing bar, whose CUTLENGTH is empty, mm. */
 const EDGE = 12;
 const BAR = 30;
+/** Height of the tooth of a thread insert whose CUTLENGTH is empty, mm. */
+const TOOTH = 2.5;
 
 /** Where the tip lies from the centre of the nose, in radii, by TO. */
 const TIP: readonly P[] = [
@@ -111,6 +113,12 @@ function bar(tool: Tool, nose: number): P[] {
   }
 }
 
+/** Length of a flank from where both would meet, for a tooth of this height over its tip; `half` in degrees. */
+function flankOf(height: number, nose: number, half: number): number {
+  const lean = (half * Math.PI) / 180;
+  return (height - nose + nose / Math.sin(lean)) / Math.cos(lean);
+}
+
 /** What the insert covers, as a convex polygon about the theoretical tip (with the correction of FUNCTION TURNDATA CORR). */
 export function insertOf(tool: Tool): P[] {
   const nose = tool.RS + (tool.DRS ?? 0);
@@ -123,7 +131,7 @@ export function insertOf(tool: Tool): P[] {
   if (tool.TYPE === "THREAD") {
     const inwards = (Math.atan2(-tip.r, -tip.z) * 180) / Math.PI;
     const half = (tool["P-ANGLE"] ?? 60) / 2;
-    return placed(twoEdges(nose, inwards - half, inwards + half, tool.CUTLENGTH || EDGE, false), offset);
+    return placed(twoEdges(nose, inwards - half, inwards + half, flankOf(tool.CUTLENGTH || TOOTH, nose, half), false), offset);
   }
   return placed(turningInsert(tool, nose), offset);
 }

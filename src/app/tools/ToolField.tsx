@@ -28,6 +28,12 @@ export function CellMessages({ id, issues, text, onTake, decimals = 4 }: { reado
 
 const UNITS = { length: "mm", angle: "degrees", number: null } as const;
 
+/** What a column means for tools of one type alone. */
+function ownMeaning(t: ReturnType<typeof useTableTexts>["tools"], cell: NumberColumn | HolderNumber, type: string): string | null {
+  if (cell === "T-ANGLE" && isDrillType(type)) return t.drillAngle;
+  return cell === "CUTLENGTH" && type === "THREAD" ? t.toothHeight : null;
+}
+
 /** One number of a row: typed text goes to the table at each keystroke, sums are worked out when the field is left. */
 export function ToolField({ entry, cell, issues, unused = null }: {
   readonly entry: ToolEntry;
@@ -46,8 +52,7 @@ export function ToolField({ entry, cell, issues, unused = null }: {
   const { kind, range: [min], decimals } = ruleOf(cell, cellOf(entry, "TYPE"));
   const isHolder = cell in t.holder;
   const column = isHolder ? null : cell as NumberColumn;
-  const drills = cell === "T-ANGLE" && isDrillType(cellOf(entry, "TYPE"));
-  const meaning = drills ? t.drillAngle : column ? t.columns[column] : t.holder[cell as HolderNumber];
+  const meaning = ownMeaning(t, cell, cellOf(entry, "TYPE")) ?? (column ? t.columns[column] : t.holder[cell as HolderNumber]);
   const found = issues.filter((issue) => issue.at === cell);
 
   const commit = () => {

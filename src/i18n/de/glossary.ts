@@ -65,7 +65,7 @@ export const glossary: GlossaryTexts = {
   secondaryEdge: { name: "Nebenschneide", text: "Die Schneide hinter der Rundung. An fallenden Flanken muss sie vom Teil freibleiben." },
   edgeLength: {
     name: "Schneidenlänge (CUTLENGTH)",
-    text: "Wie viel der Schneide schneiden darf. Ein tieferer Schnitt arbeitet mit dem Halter.",
+    text: "Wie viel der Schneide schneiden darf. Ein tieferer Schnitt arbeitet mit dem Halter. Beim Gewindewerkzeug: die Höhe des Zahns.",
   },
   holder: { name: "Halter", text: "Was die Platte trägt. Er darf weder Teil noch Futter berühren." },
   pass: { name: "Schnitt", text: "Ein Schruppschnitt auf einer Tiefe, von der Zustellung bis zum Abheben." },

@@ -175,6 +175,12 @@ export const messages = {
       + "gerades Element seiner Richtung.",
     recessWord: (d) => `Element ${d.element}: ${d.word} fehlt oder ergibt keine mögliche Form.`,
     recessWordsExclusive: (d) => `Element ${d.element}: ${d.other} und ${d.word} schließen sich aus. Nur eines davon eingeben.`,
+    pitchNotListed: (d, w) => {
+      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.value(n)])).join(" und ");
+      return `Element ${d.element}: DIN 76 nennt keinen Freistich für Steigung ${
+        w.value(d.pitch)
+      }; daneben stehen ${near}. Eine davon nehmen oder ${d.words} angeben.`;
+    },
     undercutDefaults: (d) =>
       `Element ${d.element}: ${d.words} nach der Norm, für diese Steuerung nicht gedruckt; sicherer ist es, die Werte selbst anzugeben.`,
     materialLeft: (d, w) => `Restmaterial bei ${w.place(d.x, d.z)}: ${w.area(d.area)}. Grund: ${reasons[d.reason]}.`,
@@ -212,7 +218,7 @@ export const messages = {
     blankLacks: (d, w) => `${w.text(d.what)} lässt ${w.area(d.area)} von dem Material aus, das laut Programm dort steht. Der Umriss gilt.`,
     blankGone: (d, w) => `${w.text(d.what)} umreißt ${w.area(d.area)}, wo nichts mehr steht. Was abgetragen ist, bleibt abgetragen.`,
     nothingCut: () => "Diese Bearbeitung trägt kein Material ab.",
-    airPasses: (d) => (d.count === 1 ? "1 Schruppschnitt berührt kein Material." : `${d.count} Schruppschnitte berühren kein Material.`),
+    airPasses: (d) => (d.count === 1 ? "1 Schnitt berührt kein Material." : `${d.count} Schnitte berühren kein Material.`),
 
     notUnderstood: (d, w) => `„${w.text(d.text)}“ wird nicht verstanden: bleibt im Programm, wird nicht simuliert.`,
     wordNotUnderstood: (d, w) => `Das Wort „${w.text(d.text)}“ wird nicht verstanden.`,

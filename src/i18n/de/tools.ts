@@ -69,6 +69,7 @@ export const tools = {
     PITCH: "Gewindesteigung",
   },
   drillAngle: "Spitzenwinkel",
+  toothHeight: "Höhe des Zahns",
   holder: {
     width: "Schaftbreite",
     length: "Schaftlänge",

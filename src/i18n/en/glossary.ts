@@ -67,7 +67,10 @@ export const glossary: GlossaryTexts = {
     text: "The edge beside the nose that does most of the cutting. A wall that leans more than it cannot be followed.",
   },
   secondaryEdge: { name: "Secondary edge", text: "The edge behind the nose. On falling flanks it has to stay clear of the part." },
-  edgeLength: { name: "Edge length (CUTLENGTH)", text: "How much of the edge may cut. A pass deeper than that works with the holder." },
+  edgeLength: {
+    name: "Edge length (CUTLENGTH)",
+    text: "How much of the edge may cut. A pass deeper than that works with the holder. Of a thread tool: how high its tooth is.",
+  },
   holder: { name: "Holder", text: "What carries the insert. It must touch neither the part nor the chuck." },
   pass: { name: "Pass", text: "One roughing cut at one depth, from the infeed to the retraction." },
   infeed: {

@@ -164,6 +164,12 @@ export const messages = {
       + "straight element of its direction.",
     recessWord: (d) => `Element ${d.element}: ${d.word} is missing or makes no possible shape.`,
     recessWordsExclusive: (d) => `Element ${d.element}: ${d.other} and ${d.word} exclude each other. Enter one of them.`,
+    pitchNotListed: (d, w) => {
+      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.value(n)])).join(" and ");
+      return `Element ${d.element}: DIN 76 has no relief for a pitch of ${
+        w.value(d.pitch)
+      }; next to it are ${near}. Take one of them, or write ${d.words}.`;
+    },
     undercutDefaults: (d) =>
       `Element ${d.element}: ${d.words} taken from the standard, not printed for this control. Enter the words to be sure.`,
     materialLeft: (d, w) => `${w.area(d.area)} stay at ${w.place(d.x, d.z)}, left by ${reasons[d.reason]}.`,
@@ -198,7 +204,7 @@ export const messages = {
       `${w.text(d.what)} leaves out ${w.area(d.area)} of the material that stands there by the program. The outline counts.`,
     blankGone: (d, w) => `${w.text(d.what)} outlines ${w.area(d.area)} where nothing stands any more. What has been cut stays cut.`,
     nothingCut: () => "This operation removes no stock.",
-    airPasses: (d) => `${count(d.count, "roughing pass touches", "roughing passes touch")} no stock.`,
+    airPasses: (d) => `${count(d.count, "pass touches", "passes touch")} no stock.`,
 
     notUnderstood: (d, w) => `“${w.text(d.text)}” is not understood: kept, not simulated.`,
     wordNotUnderstood: (d, w) => `The word “${w.text(d.text)}” is not understood.`,

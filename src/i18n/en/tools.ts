@@ -68,6 +68,7 @@ export const tools = {
     PITCH: "thread pitch",
   },
   drillAngle: "point angle",
+  toothHeight: "height of the tooth",
   holder: {
     width: "Width of the shank",
     length: "Length of the shank",

@@ -69,7 +69,8 @@ export const glossary: GlossaryTexts = typeset({
   },
   edgeLength: {
     name: "Longueur d’arête (CUTLENGTH)",
-    text: "Ce qui de l’arête peut couper. Une passe plus profonde travaille avec le porte-outil.",
+    text:
+      "Ce qui de l’arête peut couper. Une passe plus profonde travaille avec le porte-outil. D’un outil à fileter : la hauteur de la dent.",
   },
   holder: { name: "Porte-outil", text: "Ce qui porte la plaquette. Il ne doit toucher ni la pièce ni le mandrin." },
   pass: { name: "Passe", text: "Une coupe d’ébauche à une profondeur, de la prise de passe au retrait." },

@@ -172,6 +172,12 @@ export const messages = {
       + "élément droit de sa direction.",
     recessWord: (d) => `Élément ${d.element} : ${d.word} manque ou ne donne aucune forme possible.`,
     recessWordsExclusive: (d) => `Élément ${d.element} : ${d.other} et ${d.word} s’excluent. N’en indiquer qu’un.`,
+    pitchNotListed: (d, w) => {
+      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.value(n)])).join(" et ");
+      return `Élément ${d.element} : DIN 76 ne donne pas de dégagement pour un pas de ${
+        w.value(d.pitch)
+      } ; les pas voisins sont ${near}. En prendre un, ou écrire ${d.words}.`;
+    },
     undercutDefaults: (d) =>
       `Élément ${d.element} : ${d.words} repris de la norme, non imprimé pour cette commande. Mieux vaut les programmer.`,
     materialLeft: (d, w) => `Il reste ${w.area(d.area)} en ${w.place(d.x, d.z)}. Cause : ${reasons[d.reason]}.`,
@@ -209,8 +215,7 @@ export const messages = {
       `${w.text(d.what)} omet ${w.area(d.area)} de la matière qui s’y trouve d’après le programme. C’est ce contour qui compte.`,
     blankGone: (d, w) => `${w.text(d.what)} décrit ${w.area(d.area)} là où il n’y a plus rien. Ce qui est enlevé reste enlevé.`,
     nothingCut: () => "Cette opération n’enlève pas de matière.",
-    airPasses:
-      (d) => (d.count === 1 ? "1 passe d’ébauche ne touche pas de matière." : `${d.count} passes d’ébauche ne touchent pas de matière.`),
+    airPasses: (d) => (d.count === 1 ? "1 passe ne touche pas de matière." : `${d.count} passes ne touchent pas de matière.`),
 
     notUnderstood: (d, w) => `« ${w.text(d.text)} » n’est pas compris : conservé, non simulé.`,
     wordNotUnderstood: (d, w) => `Le mot « ${w.text(d.text)} » n’est pas compris.`,

@@ -70,6 +70,7 @@ export const tools = {
     PITCH: "pas du filetage",
   },
   drillAngle: "angle de pointe",
+  toothHeight: "hauteur de la dent",
   holder: {
     width: "Largeur du corps",
     length: "Longueur du corps",

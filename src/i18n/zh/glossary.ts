@@ -26,7 +26,7 @@ export const glossary: GlossaryTexts = {
   insert: { name: "刀片", text: "用于切削的可转位刀片，具有形状、角度和刀尖半径。" },
   mainEdge: { name: "主切削刃", text: "刀尖旁承担大部分切削的刃。比它更斜的侧壁无法跟随。" },
   secondaryEdge: { name: "副切削刃", text: "刀尖后面的刃。在下降侧面上必须与工件保持间隙。" },
-  edgeLength: { name: "刃长（CUTLENGTH）", text: "刃上可用于切削的长度。切得更深就会碰到刀杆。" },
+  edgeLength: { name: "刃长（CUTLENGTH）", text: "刃上可用于切削的长度。切得更深就会碰到刀杆。螺纹刀则为牙高。" },
   holder: { name: "刀杆", text: "夹持刀片的部分，不得碰到工件和卡盘。" },
   pass: { name: "走刀", text: "在一个深度上的一次粗切，从进刀到退刀。" },
   infeed: { name: "进刀量", text: "一刀比前一刀深多少。Q463 为最大值；总深度被均分。" },

@@ -125,6 +125,10 @@ export const messages = {
     undercutNeighbours: (d) => `元素${d.element}：退刀槽需要相接的圆柱面和端面，凹槽需要与其方向一致的直线元素。`,
     recessWord: (d) => `元素${d.element}：${d.word}缺失，或无法构成形状。`,
     recessWordsExclusive: (d) => `元素${d.element}：${d.other}与${d.word}只能输入其中一个。`,
+    pitchNotListed: (d, w) => {
+      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.value(n)])).join("和");
+      return `元素${d.element}：DIN 76没有螺距${w.value(d.pitch)}的退刀槽，相邻的为${near}。请取其一，或写明${d.words}。`;
+    },
     undercutDefaults: (d) => `元素${d.element}：${d.words}取自标准，本数控系统的手册未印出，建议写明。`,
     materialLeft: (d, w) => `${w.place(d.x, d.z)}处残留${w.area(d.area)}，原因：${reasons[d.reason]}。`,
     gouge: (d, w) => `${w.place(d.x, d.z)}处成品工件被切掉${w.area(d.area)}。`,
@@ -148,7 +152,7 @@ export const messages = {
     blankLacks: (d, w) => `${w.text(d.what)} 的轮廓缺少按程序仍在那里的${w.area(d.area)}材料。以该轮廓为准。`,
     blankGone: (d, w) => `${w.text(d.what)} 的轮廓中有${w.area(d.area)}已没有材料。已切除的不会恢复。`,
     nothingCut: () => "此次加工没有切除材料。",
-    airPasses: (d) => `${d.count}刀粗加工没有碰到材料。`,
+    airPasses: (d) => `${d.count}刀没有碰到材料。`,
 
     notUnderstood: (d, w) => `无法识别“${w.text(d.text)}”：保留，不仿真。`,
     wordNotUnderstood: (d, w) => `无法识别“${w.text(d.text)}”。`,

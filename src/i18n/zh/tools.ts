@@ -61,6 +61,7 @@ export const tools = {
     PITCH: "螺距",
   },
   drillAngle: "顶角",
+  toothHeight: "牙高",
   holder: {
     width: "刀杆宽度",
     length: "刀杆长度",

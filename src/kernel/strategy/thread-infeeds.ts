@@ -1,5 +1,6 @@
 import { issue, type Issue } from "../issue.ts";
 import { SAME } from "../tolerance.ts";
+import { roundedUpTo } from "../units.ts";
 import { MOST_PASSES } from "./infeed.ts";
 
 /** The last infeed is never thinner than this part of the first: an insert that only rubs wears out. */
@@ -7,6 +8,9 @@ const THINNEST = 1 / 20;
 
 /** How much deeper pass k goes than the one before, in first infeeds. */
 const share = (k: number, constant: boolean) => (constant ? 1 : Math.max(Math.sqrt(k) - Math.sqrt(k - 1), THINNEST));
+
+/** As many passes an offered infeed may take, and the step of values that a setter types, mm. */
+const OFFERED = { passes: 60, step: 0.05 } as const;
 
 /**
  * Depth of each pass of a thread, mm, the last one `depth`: as few as a first cut of at most `most` allows. With a constant chip
@@ -20,7 +24,7 @@ export function threadDepths(depth: number, most: number, constant: boolean, iss
     sums.push((sums.at(-1) as number) + share(sums.length + 1, constant));
   const whole = sums.at(-1) as number;
   if (sums.length <= MOST_PASSES) return sums.map((s) => (depth * s) / whole);
-  const nearest = Math.ceil((depth / (sums.at(-2) as number)) * 1000 - SAME) / 1000;
+  const nearest = roundedUpTo(OFFERED.step, depth / (sums[OFFERED.passes - 1] as number));
   issues.push(issue("tooManyPasses", "error", { passes: sums.length, most: MOST_PASSES, nearest }, "infeed"));
   return null;
 }

@@ -22,17 +22,28 @@ export function heightOn(line: readonly Flat[], u: number): number {
   return a.v + ((b.v - a.v) * (u - a.u)) / (b.u - a.u);
 }
 
-/** Corners of the way of the tip in the deepest pass, run-in and overrun included. */
-export function deepestPass({ crest, depth, runIn, overrun, runOut }: ThreadLine): Flat[] {
+/** Where the tool begins to rise along a run-out; at no place where there is none. */
+export const risesAt = ({ crest, runOut }: ThreadLine): number => (runOut > 0 ? (crest.at(-1) as Flat).u - runOut : Infinity);
+
+/**
+ * Corners of the way of the tip in a pass of `depth`, run-in and overrun included. A shallower pass lies back along the thread by `slope`
+ * for each mm of depth that it lacks, so that it stays inside the finished groove; along a run-out it rises from its own depth to the
+ * crest at the end of the thread.
+ */
+export function passAt(line: ThreadLine, depth: number, slope: number): Flat[] {
+  const { crest, runIn, overrun, runOut } = line;
   const [first, last] = [crest[0] as Flat, crest.at(-1) as Flat];
-  const rises = last.u - runOut;
-  const below = (u: number) => {
-    if (runOut <= 0 || u <= rises) return depth;
-    return depth * Math.max(0, (last.u - u) / runOut);
-  };
-  const places = [first.u - runIn, ...crest.map((p) => p.u), ...(runOut > 0 ? [rises] : []), last.u + overrun].sort((a, b) => a - b);
-  const corners = places.map((u): Flat => ({ u, v: heightOn(crest, u) - below(u) }));
-  return corners.filter((p, i) => !isBetween(corners[i - 1], p, corners[i + 1]));
+  const rises = risesAt(line);
+  const back = (line.depth - depth) * slope;
+  /** How much of its depth the pass has left. */
+  const share = (u: number) => (u <= rises ? 1 : Math.max(0, (last.u - u) / runOut));
+  const corners = crest.map(({ u }) => (u - back <= rises ? u - back : u));
+  const ends = runOut > 0 ? [rises, last.u, last.u + overrun] : [last.u + overrun - back];
+  const places = [first.u - runIn - back, ...corners, ...ends].sort((a, b) => a - b).filter((u, i, all) =>
+    i === 0 || u - (all[i - 1] as number) >= SAME
+  );
+  const way = places.map((u): Flat => ({ u, v: heightOn(crest, u + back * share(u)) - depth * share(u) }));
+  return way.filter((p, i) => !isBetween(way[i - 1], p, way[i + 1]));
 }
 
 /** A corner at which the way goes on straight, or does not go on at all, is none. */
@@ -41,7 +52,3 @@ function isBetween(a: Flat | undefined, p: Flat, b: Flat | undefined): boolean {
   if (!a || !b || b.u - a.u < SAME) return false;
   return Math.abs(a.v + ((b.v - a.v) * (p.u - a.u)) / (b.u - a.u) - p.v) < NOTHING;
 }
-
-/** The way of a shallower pass: the deepest one, moved back along the direction of infeed, so that it stays inside its groove. */
-export const passAt = (deepest: readonly Flat[], missing: number, slope: number): Flat[] =>
-  deepest.map((p) => ({ u: p.u - missing * slope, v: p.v + missing }));

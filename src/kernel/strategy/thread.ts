@@ -1,13 +1,15 @@
 import { extent } from "../convex.ts";
 import { segmentToPart, toFlat, toPart, type Flat, type Frame } from "../flat.ts";
 import { issue, type Issue } from "../issue.ts";
-import { METRIC } from "../metric-thread.ts";
+import { cutLength, pointAngle, withToothFor } from "../insert.ts";
+import { METRIC, METRIC_ANGLE, WHITWORTH } from "../metric-thread.ts";
 import type { Plan, Setting } from "../plan.ts";
 import { part, type Segment } from "../point.ts";
 import { CHORD, ROUND, SAME } from "../tolerance.ts";
 import type { Tool } from "../tool.ts";
 import { roomOf, Track, type Purpose } from "../track.ts";
-import { angleUnder, degrees, type Length, length, radians, roundedAngle, roundedDown, roundedUp, toDiameter } from "../units.ts";
+import { angleUnder, degrees, type Length, length, radians, rounded, roundedAngle, roundedDown, roundedUpTo,
+  toDiameter } from "../units.ts";
 import { clearAcross } from "./across.ts";
 import { squareTo, unfitForThread } from "./fit.ts";
 import { atCall, Frontier } from "./frontier.ts";
@@ -16,8 +18,9 @@ import { limitedInfeed } from "./infeed.ts";
 import { POINT } from "./kept.ts";
 import { empty } from "./leveled.ts";
 import { areaAbove, areaUnder, partBetween } from "./outline-area.ts";
-import { deepestPass, heightOn, passAt, type ThreadLine } from "./thread-path.ts";
+import { heightOn, passAt, risesAt, type ThreadLine } from "./thread-path.ts";
 import { threadDepths } from "./thread-infeeds.ts";
+import { shortestRunIn } from "./thread-run-in.ts";
 import { lowerSide, teeth, tipsOf } from "./thread-profile.ts";
 import { standingOver, tooHigh } from "./thread-stock.ts";
 
@@ -53,8 +56,18 @@ interface Wanted extends ThreadLine {
   readonly pitch: number;
 }
 
-/** The crest, and everything that can be said of the thread without a tool; null where its values make none. */
-function wanted(t: Thread, issues: Issue[]): Wanted | null {
+/** The depth that counts because none was entered: that of the metric profile, which an insert with another angle does not have. */
+function depthTold(depth: number, pitch: number, factor: number, tool: Tool): Issue {
+  // What a tool of another kind makes is no thread at all.
+  const angle = tool.TYPE === "THREAD" ? pointAngle(tool) : METRIC_ANGLE;
+  if (Math.abs(angle - METRIC_ANGLE) < ROUND) return issue("depthFromPitch", "info", { depth, pitch, factor }, "threadDepth");
+  const isWhitworth = Math.abs(angle - WHITWORTH.angle) < ROUND;
+  const right = isWhitworth ? { right: WHITWORTH.depth, nearest: rounded(WHITWORTH.depth * pitch) } : {};
+  return issue("depthOfOtherProfile", "warning", { depth, pitch, factor, angle, ...right }, "threadDepth");
+}
+
+/** The crest, and everything that can be said of the thread before it is cut; null where its values make none. */
+function wanted(t: Thread, tool: Tool, issues: Issue[]): Wanted | null {
   if (!(t.lead > 0)) {
     issues.push(issue("pitchZero", "error", {}, "pitch"));
     return null;
@@ -62,7 +75,7 @@ function wanted(t: Thread, issues: Issue[]): Wanted | null {
   const pitch = t.lead / Math.max(1, t.starts);
   const factor = t.inside ? METRIC.inside : METRIC.outside;
   const depth = t.depth > 0 ? t.depth : pitch * factor;
-  if (!(t.depth > 0)) issues.push(issue("depthFromPitch", "info", { depth, pitch, factor }, "threadDepth"));
+  if (!(t.depth > 0)) issues.push(depthTold(depth, pitch, factor, tool));
   const crest = part.flattenedChain(t.contour, CHORD).map((p) => toFlat(t.frame, p)).map(({ u, v }) => ({
     u,
     v: t.inside ? v + depth : v,
@@ -95,7 +108,7 @@ const insertFor = (tool: Tool, frame: Frame): Tool => (tool === POINT ? { ...POI
 function wrongTool(t: Thread, w: Wanted, tool: Tool): Issue[] {
   const unfit = unfitForThread(tool, t.frame);
   if (unfit) return [unfit];
-  const half = (tool["P-ANGLE"] ?? 60) / 2;
+  const half = pointAngle(tool) / 2;
   const found: Issue[] = [];
   if (t.flankAngle > half + ROUND)
     found.push(issue("flankInfeedTooSteep", "error", {
@@ -104,20 +117,31 @@ function wrongTool(t: Thread, w: Wanted, tool: Tool): Issue[] {
       nearest: roundedAngle(half) <= half ? roundedAngle(half) : angleUnder(half),
     }, "infeedAngle"));
   const high = extent(insertIn(tool, t.frame)).maxV;
-  if (w.depth > high + SAME) found.push(issue("threadOverInsert", "error", { depth: w.depth, most: high }, "threadDepth"));
+  const depth = depthAlong(w, half);
+  if (depth > high + SAME) found.push(issue("threadOverInsert", "error", { depth, most: high }, "threadDepth"));
   return found;
+}
+
+/** How high a flank has to be, mm: on a cone the crest rises beside the tip on one side. */
+function depthAlong({ crest, depth }: Wanted, half: number): number {
+  const rise = Math.max(0, ...crest.slice(1).map((p, i) => Math.abs((p.v - (crest[i] as Flat).v) / (p.u - (crest[i] as Flat).u))));
+  const over = 1 - rise * Math.tan(radians(half));
+  return over > 0 ? depth / over : Infinity;
 }
 
 /** Plans the passes of a thread. Never throws; what cannot be planned is an issue. */
 export function planThread(t: Thread, setting: Setting): Plan {
   const issues: Issue[] = [];
-  const tool = insertFor(setting.tool, t.frame);
-  const w = wanted(t, issues);
+  const called = insertFor(setting.tool, t.frame);
+  const w = wanted(t, called, issues);
   if (!w) return empty(issues, t.contour);
+  const tool = withToothFor(depthAlong(w, pointAngle(called) / 2), called);
   const refused = wrongTool(t, w, tool);
+  if (setting.tool !== POINT && refused.length === 0 && cutLength(called) === undefined)
+    issues.push(issue("toothAssumed", "info", { height: extent(insertIn(tool, t.frame)).maxV }, "tool"));
   const most = limitedInfeed(t.infeed, tool, w.depth, issues);
   const depths = threadDepths(w.depth, most, t.constantDepth, issues);
-  const deepest = deepestPass(w);
+  const deepest = passAt(w, w.depth, 0);
   const [begins, ends] = [deepest[0] as Flat, deepest.at(-1) as Flat];
   const cuts = Math.max(1, t.starts) * ((depths?.length ?? 0) + t.airCuts);
   const turns = Math.max(1, (ends.u - begins.u) / t.lead) * cuts;
@@ -127,11 +151,19 @@ export function planThread(t: Thread, setting: Setting): Plan {
   if (passed) refused.push(issue("threadTooMany", "error", { turns: Math.round(passed.turns), most: passed.most }, "pitch"));
   if (!depths || refused.length > 0) return { ...empty([...refused, ...issues], t.contour) };
   const side = lowerSide(tool, t.frame);
-  const tips = tipsOf(deepest, w.pitch, ((((-t.startAngle * t.starts) / 360) % 1) + 1) % 1);
-  const contour = teeth(w, tips, side);
   const slope = Math.tan(radians(t.flankAngle));
+  const phase = ((((-t.startAngle * t.starts) / 360) % 1) + 1) % 1;
+  const passes = depths.map((d) => passAt(w, d, slope));
+  // Where the last pass rises along a run-out, one that lies back along the flank leaves its groove.
+  const rising = passes.slice(0, -1).flatMap((pass, i) => {
+    const back = (w.depth - (depths[i] as number)) * slope;
+    return back > 0 ? tipsOf(pass, w.pitch, phase).filter(({ u }) => u + back > risesAt(w)) : [];
+  });
+  const tips = [...tipsOf(deepest, w.pitch, phase), ...rising];
+  const contour = teeth(w, tips, side);
   const sketch: Plan = {
     ...empty([]),
+    ...(tool !== setting.tool && setting.tool !== POINT && { tool }),
     contour: contour.map((s) => segmentToPart(t.frame, s)),
     part: partBetween(contour, t.frame),
     area: areaUnder(contour, w.crest, t.frame),
@@ -145,6 +177,8 @@ export function planThread(t: Thread, setting: Setting): Plan {
       slope,
       out: toPart(t.frame, { u: -slope, v: 1 }),
       above: areaAbove(w.crest, t.frame),
+      crest: w.crest.map((p) => toPart(t.frame, p)),
+      end: toPart(t.frame, ends),
       runIn: length(t.runIn),
       side,
     },
@@ -155,7 +189,7 @@ export function planThread(t: Thread, setting: Setting): Plan {
   const reach = tips.map((p) => toPart(t.frame, p)).map((at) => ({ path: { kind: "line", from: at, to: at } as const, reason: null }));
   return clearAcross({
     ...sketch,
-    moves: movesOf(t, setting, way, { deepest, depths, slope }),
+    moves: movesOf(t, setting, way, passes),
     issues,
     passes: depths.length,
     infeed: length(depths[0] as number),
@@ -185,7 +219,7 @@ function wayFor(t: Thread, w: Wanted, { tool, setting, deepest, depths, slope }:
   const [first, last] = [w.crest[0] as Flat, w.crest.at(-1) as Flat];
   const top = Math.max(...w.crest.map((p) => p.v));
   const corner = (u: number, v: number): Flat => ({ u, v });
-  const area = [corner(first.u, top - FAR), corner(first.u, top), corner(last.u, top), corner(last.u, top - FAR)];
+  const area = [corner(first.u, top - FAR), ...w.crest, corner(last.u, top - FAR)];
   const frontier = new Frontier(atCall({ stock: setting.stock, area, frame, insert }, [], null), insert);
   const [begins, ends] = [deepest[0] as Flat, deepest.at(-1) as Flat];
   const back = (w.depth - (depths[0] as number)) * slope;
@@ -206,7 +240,7 @@ function wayFor(t: Thread, w: Wanted, { tool, setting, deepest, depths, slope }:
     });
   if (!isFree(w.runIn)) {
     const at = toPart(frame, begins);
-    const nearest = shortestFree(isFree, w.runIn);
+    const nearest = shortestRunIn(isFree, w.runIn, t.lead);
     return issue("runInBlocked", "error", { x: toDiameter(at.r), z: at.z, ...(nearest !== null && { nearest }) }, "runIn");
   }
   const blocked = tooHigh(w, { frame, insert, frontier, stock: setting.stock, from: begins.u - back, to: ends.u });
@@ -218,25 +252,9 @@ function wayFor(t: Thread, w: Wanted, { tool, setting, deepest, depths, slope }:
   return { start, link, over };
 }
 
-/** Run-ins that are looked at, mm. */
-const LONGEST = 100;
-
-/** The shortest run-in from which on the tool begins in free air; null when none of a likely length does. */
-function shortestFree(isFree: (runIn: number) => boolean, from: number): number | null {
-  if (!isFree(LONGEST)) return null;
-  let [low, high] = [from, LONGEST];
-  while (high - low > SAME) {
-    const middle = (low + high) / 2;
-    if (isFree(middle)) high = middle;
-    else low = middle;
-  }
-  return roundedUp(high);
-}
-
 /** The moves of all starts, step by step as the manual has them. */
-function movesOf(t: Thread, setting: Setting, way: Way, { deepest, depths, slope }: Passes): Plan["moves"] {
+function movesOf(t: Thread, setting: Setting, way: Way, passes: readonly (readonly Flat[])[]): Plan["moves"] {
   const track = new Track(t.frame, setting.feedUnit, way.start, roomOf(t.frame));
-  const depth = depths.at(-1) as number;
   const axis = t.frame.transverse ? "r" : "z";
   const at = (step: number, pass?: number): Purpose => ({
     phase: pass === undefined ? "position" : "thread",
@@ -255,9 +273,9 @@ function movesOf(t: Thread, setting: Setting, way: Way, { deepest, depths, slope
   const starts = Math.max(1, t.starts);
   for (let start = 0; start < starts; start += 1) {
     const angle = (t.startAngle + (360 * start) / starts) % 360;
-    for (let pass = 1; pass <= depths.length + t.airCuts; pass += 1) {
-      const points = passAt(deepest, depth - (depths[Math.min(pass, depths.length) - 1] as number), slope);
-      const air = pass > depths.length;
+    for (let pass = 1; pass <= passes.length + t.airCuts; pass += 1) {
+      const points = passes[Math.min(pass, passes.length) - 1] as readonly Flat[];
+      const air = pass > passes.length;
       const going = at(pass > 1 ? (air ? 6 : 4) : start > 0 ? 7 : 1);
       if (start === 0 && pass === 1) track.rapid("v", way.link, going);
       const first = points[0] as Flat;
