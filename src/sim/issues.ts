@@ -1,9 +1,10 @@
 import { issue, type Issue } from "../kernel/issue.ts";
 import { REAL_AREA } from "../kernel/real-area.ts";
-import { toDiameter } from "../kernel/units.ts";
+import type { Pt } from "../kernel/point.ts";
+import { radius, toDiameter } from "../kernel/units.ts";
 import { MOST_CONTACTS } from "./check.ts";
 import { isTooDeep } from "./measure.ts";
-import type { AnyFinding, Depth, LoosePiece, OperationProof, Residual, Simulation } from "./simulation.ts";
+import type { AnyFinding, Depth, LoosePiece, OperationProof, Residual, Simulation, ThreadWay } from "./simulation.ts";
 
 /** An issue of the proof with where it belongs; block and operation are null for what is left at the end. */
 export interface ProofIssue {
@@ -11,6 +12,31 @@ export interface ProofIssue {
   readonly step: number | null;
   readonly block: number | null;
   readonly operation: number | null;
+}
+
+/** Heights above the crest of a thread that are measuring, not a shoulder, mm. */
+const OVER_CREST = 0.05;
+
+/** Damage behind the end of a thread, by its cause; null where it lies elsewhere. */
+function overrun({ crest, stop, openSide }: ThreadWay, { place, area }: AnyFinding): Issue | null {
+  const [before, last] = [crest.at(-2), crest.at(-1)];
+  if (!before || !last) return null;
+  const inFace = Math.abs(openSide.z) > Math.abs(openSide.r);
+  const [z, r] = inFace ? [0, Math.sign(last.r - before.r)] : [Math.sign(last.z - before.z), 0];
+  const beyond = (p: Pt) => (p.z - last.z) * z + (p.r - last.r) * r;
+  if (beyond(place) <= 0) return null;
+  const k = beyond(place) / -beyond(before);
+  const over = (place.z - last.z - k * (last.z - before.z)) * openSide.z + (place.r - last.r - k * (last.r - before.r)) * openSide.r;
+  const along = (p: Pt) => (inFace ? toDiameter(p.r) : p.z);
+  return issue("threadOverruns", "error", {
+    meets: over > OVER_CREST ? "shoulder" : "shaft",
+    area,
+    x: toDiameter(place.r),
+    z: place.z,
+    axis: inFace ? "X" : "Z",
+    end: along(last),
+    to: along(stop),
+  });
 }
 
 function whatOf({ kind, area, place, block, other = block, rear = place.z }: AnyFinding): Issue {
@@ -31,7 +57,10 @@ function whatOf({ kind, area, place, block, other = block, rear = place.z }: Any
   }
 }
 
-const fromFinding = (f: AnyFinding): ProofIssue => ({ issue: whatOf(f), step: f.step, block: f.block, operation: f.operation });
+function fromFinding(f: AnyFinding, operations: readonly OperationProof[]): ProofIssue {
+  const way = f.kind === "gouge" && f.operation !== null ? operations[f.operation]?.thread : null;
+  return { issue: (way && overrun(way, f)) ?? whatOf(f), step: f.step, block: f.block, operation: f.operation };
+}
 
 /** What came off. A ring or a slug is told as a warning, and so is a piece that nobody parted off on purpose. */
 function fromLoose({ shape, isPartedOff, area, place, step, block, operation }: LoosePiece): ProofIssue {
@@ -59,7 +88,7 @@ function fromResidual(r: Residual): ProofIssue {
 
 /** What the stock says about one operation: where it began, what it took at once, and what it took at all. */
 function fromOperation(
-  { cut, airPasses, deepest, thickest, behindLimits, startInMaterial: start, hasFailed }: OperationProof,
+  { cut, airPasses, deepest, thickest, behindLimits, startInMaterial: start, crest, hasFailed }: OperationProof,
   operation: number,
 ): ProofIssue[] {
   const at = (found: Issue, depth: Pick<Depth, "step" | "block"> | null = null): ProofIssue => ({
@@ -78,6 +107,10 @@ function fromOperation(
   for (const b of behindLimits) {
     const { area, place, finishing, limit } = b;
     out.push(at(issue("cutBehindLimit", "warning", { area, x: toDiameter(place.r), z: place.z, finishing }, limit.at), b));
+  }
+  if (crest) {
+    const { missing, inFace, r } = crest;
+    out.push(at(issue("crestMissing", "warning", inFace ? { missing, z: crest.z } : { missing, diameter: toDiameter(radius(r)) })));
   }
   if (hasFailed) return out;
   if (cut < REAL_AREA) out.push(at(issue("nothingCut", "warning", {})));
@@ -103,8 +136,8 @@ const fromUnlooked = ({ unlooked }: Simulation["proof"]): ProofIssue[] =>
 /** What the simulation found, as issues: contacts of moves, then what each operation did, then each region that stays. X is a diameter. */
 export const stockIssues =
   (simulation: Pick<Simulation, "findings" | "proof">): ProofIssue[] => [
-    ...simulation.findings.map(fromFinding),
-    ...simulation.proof.remarks.map(fromFinding),
+    ...simulation.findings.map((f) => fromFinding(f, simulation.proof.operations)),
+    ...simulation.proof.remarks.map((f) => fromFinding(f, simulation.proof.operations)),
     ...simulation.proof.loose.map(fromLoose),
     ...fromUnheld(simulation.proof),
     ...fromUnlooked(simulation.proof),

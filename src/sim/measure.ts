@@ -9,12 +9,13 @@ import type { Step } from "../kernel/step.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import { boxAround, inBox } from "../kernel/box.ts";
 import { inStock } from "./contact.ts";
+import { crestMissing } from "./crest.ts";
 import type { Cutting, Present } from "./cutting.ts";
 import { deepestAlong, hasRoomFor, thicknessOf } from "./extent.ts";
 import type { Outlines } from "./outlines.ts";
 import { piecesOf } from "./piece.ts";
 import { largest, placeIn } from "./region.ts";
-import type { BehindLimit, Depth, OperationProof, SimulatedOperation } from "./simulation.ts";
+import type { BehindLimit, Depth, MissingCrest, OperationProof, SimulatedOperation, ThreadWay } from "./simulation.ts";
 import { turned, type Sweep } from "./sweep.ts";
 
 /** Real depths may pass what is allowed by this much before it is told, mm. */
@@ -53,6 +54,8 @@ interface Sums {
   thickest: Measured | null;
   startInMaterial: Pt | null;
   crossed: readonly Crossed[];
+  /** Absent until the first pass of a thread. */
+  crest?: MissingCrest | null;
 }
 
 /** How far measuring has come before a step. */
@@ -120,7 +123,9 @@ export function measuring(
     const area = areaOf(taken);
     sum.cut += area;
     const passes = done.phase === "rough" && done.pass !== undefined;
-    if (passes) sum.passes.set(done.pass, (sum.passes.get(done.pass) ?? 0) + area);
+    // The air cuts of a thread, which come after its passes, are asked for.
+    const threads = done.phase === "thread" && done.pass !== undefined && done.pass <= operation.plan.passes;
+    if ((passes || threads) && done.pass !== undefined) sum.passes.set(done.pass, (sum.passes.get(done.pass) ?? 0) + area);
     if (area < REAL_AREA) return;
     for (const limit of operation.plan.limits ?? []) sum.crossed = crossing(sum.crossed, limit, taken, done);
     const place = { step: done.step, ...(done.pass !== undefined && { pass: done.pass }) };
@@ -142,6 +147,8 @@ export function measuring(
       const sum = sums[operation];
       if (sum && operations[operation]?.firstStep === index && standsIn(outlines.checked, step.from, cut)) sum.startInMaterial = step.from;
       if (step.move.kind === "rapid") return;
+      if (sum && sum.crest === undefined && step.move.phase === "thread")
+        sum.crest = crestMissing((operations[operation] as SimulatedOperation).plan, cut.stock());
       run ??= {
         operation,
         phase: step.move.phase,
@@ -172,9 +179,11 @@ export function measuring(
           place: placeIn(c.ring),
           finishing: roughed && !roughing,
         }));
-      return sums.map(({ cut, passes, deepest, thickest, startInMaterial, crossed }, o) => ({
+      return sums.map(({ cut, passes, deepest, thickest, startInMaterial, crossed, crest }, o) => ({
         cut,
         airPasses: [...passes.values()].filter((area) => area < REAL_AREA).length,
+        crest: crest ?? null,
+        thread: wayOf(operations[o]),
         deepest: atBlock(deepest),
         thickest: atBlock(thickest),
         startInMaterial,
@@ -183,6 +192,11 @@ export function measuring(
       }));
     },
   };
+}
+
+function wayOf(operation: SimulatedOperation | undefined): ThreadWay | null {
+  const { thread, openSide } = operation?.plan ?? {};
+  return thread && openSide ? { crest: thread.crest, stop: thread.end, openSide } : null;
 }
 
 /** Whether an insert stands in the stock, on this side of the axis or on the other. */

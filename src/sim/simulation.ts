@@ -125,7 +125,7 @@ export interface Proof {
   readonly residual: readonly Residual[];
   /** Stock that feed moves removed; also what rapids did, from `unlooked` on. */
   readonly cut: number;
-  /** Roughing passes that touched no stock. */
+  /** Roughing passes and passes of a thread that touched no stock. */
   readonly airPasses: number;
   /** The roughing pass that goes deepest into the stock against what its cycle allows, mm; null without roughing. */
   readonly deepest: Depth | null;
@@ -181,12 +181,34 @@ export interface BehindLimit {
   readonly finishing: boolean;
 }
 
+/** How much material lacks at the crest of a thread, mm, and where that crest would be. */
+export interface MissingCrest {
+  readonly missing: number;
+  /** The thread lies in a face: it lacks along Z. */
+  readonly inFace: boolean;
+  readonly z: number;
+  readonly r: number;
+}
+
+/** Where a thread runs, for what it does wrong behind its end. */
+export interface ThreadWay {
+  readonly crest: readonly Pt[];
+  /** Where the tip comes to a stop. */
+  readonly stop: Pt;
+  /** Unit direction out of the material. */
+  readonly openSide: Pt;
+}
+
 /** What one operation did to the stock. */
 export interface OperationProof {
   /** Stock that its feed moves removed, mm² of the half plane. */
   readonly cut: number;
-  /** Roughing passes that touched no stock. */
+  /** Roughing passes and passes of a thread that touched no stock. */
   readonly airPasses: number;
+  /** Of a thread, before its first pass; null where its crest is there. */
+  readonly crest: MissingCrest | null;
+  /** Null of other operations. */
+  readonly thread: ThreadWay | null;
   /** The roughing pass that goes deepest, along the direction of infeed, against the greatest infeed; null without roughing. */
   readonly deepest: Depth | null;
   /** The smoothing or finishing cut that takes more than the oversize and one infeed, square to its path; null when none does. */

@@ -80,6 +80,7 @@ const weight: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info:
 /** What was found in the stock comes after what was found in the program, and what stays comes last: causes before effects. */
 const found: ReadonlySet<string> = new Set([
   "gouge",
+  "threadOverruns",
   "rapidInStock",
   "holderContact",
   "cutOnLoosePiece",
@@ -89,6 +90,7 @@ const found: ReadonlySet<string> = new Set([
   "partedOff",
   "cutBehindLimit",
   "deeperThanInfeed",
+  "crestMissing",
   "nothingCut",
   "airPasses",
 ]);

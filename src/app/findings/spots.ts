@@ -89,12 +89,14 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
       return { spot: { plane: "ZX", kind: "finding", place: b.place, bounds: boundsRound([b.ring], b.place), position } };
     }
     case "gouge":
+    case "threadOverruns":
     case "rapidInStock":
     case "holderContact":
     case "cutOnLoosePiece":
     case "cutBelowContour":
     case "behindBlank": {
-      const f = [...findings, ...proof.remarks].find((each) => codeOf(each.kind) === issue.code && isAt(issue.data)(each));
+      const code = issue.code === "threadOverruns" ? "gouge" : issue.code;
+      const f = [...findings, ...proof.remarks].find((each) => codeOf(each.kind) === code && isAt(issue.data)(each));
       const spot = f || step === null ? null : spotOfMove(simulation, step);
       return f
         ? {

@@ -46,7 +46,7 @@ function foundMarks({ simulation }: Answer, wanted: WantedPart | null): TaskMark
 
 /** Findings of the run and of the stock that count for a rule, those apart that have marks of their own. */
 function issueMarks(rule: "errors" | "clean", { run, simulation }: Answer, counts: (issue: RunFinding["issue"]) => boolean): TaskMark[] {
-  const own: readonly string[] = Object.keys(FOUND);
+  const own: readonly string[] = [...Object.keys(FOUND), "threadOverruns"];
   const read = run.issues.filter(({ issue }) => counts(issue)).map(({ issue, block, operation }): TaskMark => ({
     rule,
     passed: false,
