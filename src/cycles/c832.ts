@@ -60,10 +60,11 @@ export const c832 = defineCycle({
   setup: {
     name: "TAPERTHREAD",
     tool: 12,
-    blank: { outside: "110", bore: "", length: "100", allowance: "0" },
-    start: { x: "120", z: "10" },
+    // Slender: over the crest of a steeper taper more of the cylinder would stand than the tooth of an insert is high.
+    blank: { outside: "102", bore: "", length: "100", allowance: "0" },
+    start: { x: "112", z: "10" },
     contour: printedContour,
-    values: oneGroove,
+    values: { ...oneGroove, Q493: 102 },
   },
   thread: threadRoles("Q491", "Q493"),
   steps: { rough: 8, finish: 0 },

@@ -1,6 +1,7 @@
 import { contourFrom, type ContourElement } from "../kernel/contour.ts";
 import { at, type Ring } from "../kernel/point.ts";
 import { METRIC } from "../kernel/metric-thread.ts";
+import { ROUND, SAME } from "../kernel/tolerance.ts";
 import type { TipOrientation } from "../kernel/tool.ts";
 import { rounded, toDiameter } from "../kernel/units.ts";
 import { box, half, mm, mostly, type Draw, type DrawnSetup, type Setups } from "./drawn-setup.ts";
@@ -44,7 +45,7 @@ const CLEAR = 0.005;
 function shouldered(blank: Ring, { z, along, surface, to }: { z: number; along: 1 | -1; surface: number; to: number }): Ring {
   const [ends, heights] = [blank.map((p) => p.z), blank.map((p) => p.r)];
   const [front, back] = along > 0 ? [Math.max(...ends), Math.min(...ends)] : [Math.min(...ends), Math.max(...ends)];
-  const core = heights.find((r) => Math.abs(r - surface) > 1e-6) ?? 0;
+  const core = heights.find((r) => Math.abs(r - surface) > SAME) ?? 0;
   const ring = [at(front, core), at(front, surface), at(z, surface), at(z, to), at(back, to), at(back, core)];
   return along > 0 === to > core ? ring.reverse() : ring;
 }
@@ -83,7 +84,7 @@ function longThread(draw: Draw, extended: boolean): DrawnSetup {
   const blank = box(z1 + (form === 1 ? along * long : 0), z2 - along * (12 + long), surface, out > 0 ? 0 : surface + 25);
   // At its bounds: a tooth as high as the thread is deep, and a shoulder right behind the flank of the last pass.
   const crest = out > 0 ? high : low - depth;
-  const tooth = !extended && Math.abs(surface - crest) < 1e-9 ? draw.one(HIGH, depth, depth + 0.5) : HIGH;
+  const tooth = !extended && Math.abs(surface - crest) < ROUND ? draw.one(HIGH, depth, depth + 0.5) : HIGH;
   const behind = z2 - along * (values.Q472 + besideTip(tooth) + CLEAR);
   const hasShoulder = !extended && tooth < HIGH && draw.one(true, false);
   return {

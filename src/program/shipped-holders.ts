@@ -65,13 +65,10 @@ export const shippedHolders: Readonly<Record<number, Holder>> = {
     [10, 20],
     [-10, 20],
   ]),
-  // SER 2525M16: f 32. Its leading side is flush with the tooth, 1.4 mm before the tip, so that it threads up to a shoulder.
-  12: holder({ width: 25, length: 116, z: 7, x: 34 }, [[-0.4, 1.3], [0.4, 1.3], [4.3, 9.3], [32, 24], [32, 34], [7, 34], [-1.4, 14], [
-    -1.4,
-    4.3,
-  ]]),
+  // SER 2525M16: f 32. Above the tooth the insert counts as holder; its leading side is flush with the tooth, as for threads to a shoulder.
+  12: holder({ width: 25, length: 116, z: 7, x: 34 }, [[-1.4, 2.5], [1.4, 2.5], [4.3, 9.3], [32, 24], [32, 34], [7, 34], [-1.4, 14]]),
   // SIR 0020P16: bar of 20 mm, f 14, for bores from 25 mm, its end flush with the tooth.
-  13: holder({ width: 20, length: 170, z: -1.4, x: -4 }, [[-0.4, -1.3], [0.4, -1.3], [4.3, -9.3], [-1.4, -9.3], [-1.4, -4.3]]),
+  13: holder({ width: 20, length: 170, z: -1.4, x: -4 }, [[-1.4, -2.5], [1.4, -2.5], [4.3, -9.3], [-1.4, -9.3]]),
   // Grooving bar of 25 mm with a blade of 1.6 mm, 12 mm high.
   14: holder({ width: 25, length: 200, z: -0.8, x: -12 }, blade(0.8, 12, -1)),
   // PDJNL 2525M15 laid along Z for facing: f 32 from the tip in X.

@@ -1,6 +1,6 @@
-; expect: threadMeets@7 deeperThanInfeed@9 deepest=2.66/0.57 residual=overCrest verdict=proved
+; expect: threadMeets@7 deeperThanInfeed@9 deepest=0.85/0.57 residual=overCrest verdict=proved
 0 BEGIN PGM THREAD831 MM
-1 BLK FORM CYLINDER Z D37.2 L70 DIST+0
+1 BLK FORM CYLINDER Z D33.6 L70 DIST+0
 2 FUNCTION MODE TURN
 3 TOOL CALL 12
 4 FUNCTION TURNDATA SPIN VCONST:OFF S640

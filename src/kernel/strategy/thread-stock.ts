@@ -5,7 +5,7 @@ import type { Ring } from "../point.ts";
 import { SAME } from "../tolerance.ts";
 import { toDiameter } from "../units.ts";
 import type { Frontier } from "./frontier.ts";
-import { heightOn, type ThreadLine } from "./thread-path.ts";
+import { heightOn, shareAt, type ThreadLine } from "./thread-path.ts";
 
 /** Stretch along the thread. */
 interface Between {
@@ -91,15 +91,16 @@ export function tooHigh(
 ): Issue | null {
   const { minU, maxU, maxV } = extent(insert);
   const each = Math.max(PLACES.nearest, (along.to - along.from) / PLACES.most);
-  let over = 0;
+  const depthAt = (u: number) => w.depth * shareAt(w, u);
+  let high = 0;
   for (let u = along.from; u < along.to; u += each)
-    over = Math.max(over, frontier.over(u, u + each) - Math.min(heightOn(w.crest, u), heightOn(w.crest, u + each)));
-  const most = maxV - w.depth;
-  if (over <= most + SAME) return null;
+    high = Math.max(high, depthAt(u) + frontier.over(u, u + each) - Math.min(heightOn(w.crest, u), heightOn(w.crest, u + each)));
+  if (high <= maxV + SAME) return null;
   const seen = stretches(w, { from: along.from + minU, to: along.to + maxU }).flatMap(({ where, ...between }) => {
     const stands = highestOver(w.crest, frame, stock ?? [], between);
     return stands ? [{ where, stands }] : [];
   }).reduce<{ where: Where; stands: Stands } | null>((best, s) => (best && best.stands.over >= s.stands.over - SAME ? best : s), null);
-  if (!seen || seen.stands.over <= most) return issue("threadOverInsert", "error", { depth: w.depth + over, most: maxV }, "tool");
+  const most = seen ? maxV - depthAt(seen.stands.at.u) : 0;
+  if (!seen || seen.stands.over <= most) return issue("threadOverInsert", "error", { depth: high, most: maxV }, "tool");
   return meets(frame, seen.where, seen.stands, most);
 }

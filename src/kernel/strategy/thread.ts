@@ -8,7 +8,7 @@ import { part, type Segment } from "../point.ts";
 import { CHORD, ROUND, SAME } from "../tolerance.ts";
 import type { Tool } from "../tool.ts";
 import { roomOf, Track, type Purpose } from "../track.ts";
-import { angleUnder, degrees, type Length, length, radians, rounded, roundedAngle, roundedDown, roundedUpTo,
+import { angleUnder, degrees, type Length, length, radians, rounded, roundedAngle, roundedDown,
   toDiameter } from "../units.ts";
 import { clearAcross } from "./across.ts";
 import { squareTo, unfitForThread } from "./fit.ts";

@@ -21,7 +21,7 @@ const LIMITS_AT = [0.2, 0.45, 0.75] as const;
 /** A limit that is to be in nobody's way lies this far behind the contour, mm. */
 const OUT_OF_THE_WAY = 2;
 /** Angles that a value which is asked for elsewhere is given, degrees. */
-const ANGLES = [5, 12] as const;
+const ANGLES = [5, 12, 1.5] as const;
 /** Parts of the infeed, or of the overlap, with which a value may act where it does not at the usual one. */
 const OTHERWISE: Partial<Record<Topic, { readonly of: Topic; readonly times: readonly number[] }>> = {
   direction: { of: "infeed", times: [1.6, 2.5] },

@@ -127,7 +127,9 @@ export function toolShapes(tool: Tool): readonly ToolShape[] {
   shapes.push({ role: flanksUnknown(tool) ? "guess" : "insert", d: ringData([front]) });
   const land = offset([front], -room * LAND);
   if (land.length > 0 && !flanksUnknown(tool)) shapes.push({ role: "relief", d: ringData(land) });
-  return isBar(tool) || flanksUnknown(tool) ? shapes : [...shapes, ...clampOf(front)];
+  // Of a thread insert the tooth alone is known, and that is not where its screw is.
+  const unclamped = isBar(tool) || tool.TYPE === "THREAD" || flanksUnknown(tool);
+  return unclamped ? shapes : [...shapes, ...clampOf(front)];
 }
 
 /** The box round a whole tool, relative to its tip; null where it has no outline. */
