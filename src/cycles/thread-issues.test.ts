@@ -4,6 +4,7 @@ import type { Tool } from "../kernel/tool.ts";
 import { degrees, length } from "../kernel/units.ts";
 import { shippedTools } from "../program/shipped-tools.ts";
 import { c831 } from "./c831.ts";
+import { c832 } from "./c832.ts";
 
 /* A thread of 40 mm on a shaft of 60 mm that begins at Z0; the run-in is the clearance of 8 mm. */
 const box = (z0: number, z1: number, r: number): Ring => [at(z0, 0), at(z0, r), at(z1, r), at(z1, 0)];
@@ -107,6 +108,21 @@ test("a run-in that is blocked all the way has no offer", () => {
     expect(found?.code).toBe("runInBlocked");
     expect([end, "nearest" in (found?.data ?? {})]).toEqual([end, offers]);
   }
+});
+
+test("on a cone a tooth has to be higher than the thread is deep: its crest rises beside the tip", () => {
+  const codes = (CUTLENGTH: number, Q469: number) => {
+    const example = Object.fromEntries(Object.entries(c832.params).map(([q, p]) => [q, p.example]));
+    const values = { ...example, Q475: 1, Q476: 0, Q472: 2, Q473: 2, Q464: 4, Q491: 40, Q492: 0, Q494: -20, Q469 };
+    const tool: Tool = { ...(shippedTools.find((t) => t.T === 12) as Tool), CUTLENGTH: length(CUTLENGTH) };
+    const start = at(20, 40);
+    const plan = c832.plan(values as never, { tool, start, feedUnit: "mm/rev", autoFeed: null, stock: null }, { contour: null, start });
+    return plan.issues.filter((i) => i.severity === "error").map((i) => i.code);
+  };
+  expect(codes(2, 0)).toEqual([]);
+  expect(codes(2, 10)).toEqual(["threadOverInsert"]);
+  // 2 mm / (1 − tan 10° · tan 30°).
+  expect(codes(2.23, 10)).toEqual([]);
 });
 
 test("the depth of the metric profile is told as such to an insert with another angle", () => {

@@ -31,3 +31,15 @@ test.each([{ grooves: 1, angle: 0 }, { grooves: 1, angle: 250 }, { grooves: 3, a
     expect(proof.residual).toEqual([]);
   },
 );
+
+test.each([{ out: 4.3, flank: 30 }, { out: 16.3, flank: 30 }, { out: 1, flank: 29 }, { out: 4.3, flank: 0 }])(
+  "passes that rise along a run-out of $out mm, fed in at $flank°, leave the part that they say",
+  ({ out, flank }) => {
+    const { plan, proof } = cut({ Q472: 2, Q475: 1, Q474: out, Q467: flank, Q463: 0.25 });
+    const rises = plan.moves.filter((m) => m.kind === "thread" && Math.abs(m.to.z + 16.3) < 1e-9);
+    expect(rises.length).toBe(plan.passes);
+    for (const m of rises) expect(m.to.r).toBeCloseTo(20, 9);
+    expect(proof.gouge).toBe(0);
+    expect(proof.residual).toEqual([]);
+  },
+);
