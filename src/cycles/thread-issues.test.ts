@@ -63,13 +63,7 @@ describe("an insert that is too low is refused", () => {
     expect(most).toBeCloseTo(1.5, 6);
   });
 
-  test("for a shoulder in the overrun and for a collar in the run-in, with the place", () => {
-    const shoulder = box(-31.3, -100, 35.2);
-    expect(planned({}, [box(0, -31.3, 20), shoulder], HIGH)).toMatchObject([{
-      code: "threadMeets",
-      at: "Q494",
-      data: { place: "behind", x: 70.4, z: -31.3 },
-    }]);
+  test("for a collar in the run-in, with the place", () => {
     const collar = box(4.7, 2.2, 33.1);
     expect(planned({ Q460: 16 }, [shaft, collar], HIGH)).toMatchObject([{
       code: "threadMeets",
@@ -78,9 +72,22 @@ describe("an insert that is too low is refused", () => {
     }]);
   });
 
-  test("for the bottom of a bore that the thread runs into", () => {
+  test("but what the overrun runs into is told, and cut to be seen in the stock", () => {
+    const behind = (plan: ReturnType<typeof planOf>) => {
+      expect([plan.moves.length > 0, plan.issues.filter((i) => i.severity === "error")]).toEqual([true, []]);
+      return plan.issues.filter((i) => i.code === "threadMeets");
+    };
+    const shoulder = box(-31.3, -100, 35.2);
+    expect(behind(planOf({}, [box(0, -31.3, 20), shoulder]))).toMatchObject([{
+      severity: "warning",
+      at: "Q494",
+      data: { place: "behind", x: 70.4, z: -31.3 },
+    }]);
+  });
+
+  test("and the bottom of a bore is refused, over which there is no way back", () => {
     const bored: Ring[] = [[at(0, 12), at(0, 40), at(-70, 40), at(-70, 0), at(-31.1, 0), at(-31.1, 12)]];
-    expect(planned({ Q471: 1, Q491: 26 }, bored, { inside: true, ...HIGH })).toMatchObject([{
+    expect(planned({ Q471: 1, Q491: 26 }, bored, { inside: true })).toMatchObject([{
       code: "threadMeets",
       at: "Q494",
       data: { place: "behind", z: -31.1 },
@@ -117,10 +124,10 @@ test("on a cone a tooth has to be higher than the thread is deep: its crest rise
     const tool: Tool = { ...(shippedTools.find((t) => t.T === 12) as Tool), CUTLENGTH: length(CUTLENGTH) };
     const start = at(20, 40);
     const plan = c832.plan(values as never, { tool, start, feedUnit: "mm/rev", autoFeed: null, stock: null }, { contour: null, start });
-    return plan.issues.filter((i) => i.severity === "error").map((i) => i.code);
+    return plan.issues.filter((i) => i.severity === "error").map((i) => `${i.code} ${i.at}`);
   };
   expect(codes(2, 0)).toEqual([]);
-  expect(codes(2, 10)).toEqual(["threadOverInsert"]);
+  expect(codes(2, 10)).toEqual(["threadOverInsert Q473"]);
   // 2 mm / (1 − tan 10° · tan 30°).
   expect(codes(2.23, 10)).toEqual([]);
 });

@@ -4,8 +4,7 @@ import { issue, type Issue } from "../issue.ts";
 import type { Ring } from "../point.ts";
 import { SAME } from "../tolerance.ts";
 import { toDiameter } from "../units.ts";
-import type { Frontier } from "./frontier.ts";
-import { heightOn, shareAt, type ThreadLine } from "./thread-path.ts";
+import { heightOn, risesAt, shareAt, type ThreadLine } from "./thread-path.ts";
 
 /** Stretch along the thread. */
 interface Between {
@@ -77,30 +76,23 @@ export function standingOver(w: ThreadLine, frame: Frame, stock: readonly Ring[]
   });
 }
 
-/** Places along a thread at which it is looked at how high material stands over it, and how near they are at the nearest, mm. */
-const PLACES = { most: 400, nearest: 0.5 } as const;
-
 /**
- * Over a groove deeper than the insert is high its own walls would close behind the insert, however thin each pass is: what stands
- * too high over the thread, or is in the way before or behind it; null where nothing does.
+ * Over a groove deeper than the insert is high its own walls would close behind the insert, however thin each pass is: what stands too high
+ * over the thread or over its run-in; null where nothing does. What the overrun meets the tool runs into, and the stock shows it; but
+ * over the bottom of a bore there is no way back.
  */
-export function tooHigh(
-  w: ThreadLine,
-  { frame, insert, frontier, stock, ...along }: Between & { readonly frame: Frame; readonly insert: Convex; readonly frontier: Frontier;
-    readonly stock: readonly Ring[] | null },
-): Issue | null {
-  const { minU, maxU, maxV } = extent(insert);
-  const each = Math.max(PLACES.nearest, (along.to - along.from) / PLACES.most);
-  const depthAt = (u: number) => w.depth * shareAt(w, u);
-  let high = 0;
-  for (let u = along.from; u < along.to; u += each)
-    high = Math.max(high, depthAt(u) + frontier.over(u, u + each) - Math.min(heightOn(w.crest, u), heightOn(w.crest, u + each)));
-  if (high <= maxV + SAME) return null;
-  const seen = stretches(w, { from: along.from + minU, to: along.to + maxU }).flatMap(({ where, ...between }) => {
-    const stands = highestOver(w.crest, frame, stock ?? [], between);
-    return stands ? [{ where, stands }] : [];
-  }).reduce<{ where: Where; stands: Stands } | null>((best, s) => (best && best.stands.over >= s.stands.over - SAME ? best : s), null);
-  const most = seen ? maxV - depthAt(seen.stands.at.u) : 0;
-  if (!seen || seen.stands.over <= most) return issue("threadOverInsert", "error", { depth: high, most: maxV }, "tool");
-  return meets(frame, seen.where, seen.stands, most);
+export function tooHigh(w: ThreadLine, frame: Frame, insert: Convex, stock: readonly Ring[] | null, { from, to }: Between): Issue | null {
+  const { maxV } = extent(insert);
+  const rises = risesAt(w);
+  const found = stretches(w, { from, to }).flatMap(({ where, ...between }) => {
+    const parts = where === "over" && rises < between.to ? [{ ...between, to: rises }, { ...between, from: rises }] : [between];
+    return parts.flatMap((part) => {
+      const stands = highestOver(w.crest, frame, stock ?? [], part);
+      if (!stands || (where === "behind" && toPart(frame, stands.at).r > SAME)) return [];
+      const most = maxV - w.depth * shareAt(w, stands.at.u);
+      return stands.over > most + SAME ? [{ where, stands, most }] : [];
+    });
+  });
+  const [worst] = found.sort((a, b) => b.stands.over - a.stands.over);
+  return worst ? meets(frame, worst.where, worst.stands, worst.most) : null;
 }

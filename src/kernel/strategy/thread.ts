@@ -8,8 +8,7 @@ import { part, type Segment } from "../point.ts";
 import { CHORD, ROUND, SAME } from "../tolerance.ts";
 import type { Tool } from "../tool.ts";
 import { roomOf, Track, type Purpose } from "../track.ts";
-import { angleUnder, degrees, type Length, length, radians, rounded, roundedAngle, roundedDown,
-  toDiameter } from "../units.ts";
+import { angleUnder, degrees, type Length, length, radians, rounded, roundedAngle, roundedDown, toDiameter } from "../units.ts";
 import { clearAcross } from "./across.ts";
 import { squareTo, unfitForThread } from "./fit.ts";
 import { atCall, Frontier } from "./frontier.ts";
@@ -243,7 +242,7 @@ function wayFor(t: Thread, w: Wanted, { tool, setting, deepest, depths, slope }:
     const nearest = shortestRunIn(isFree, w.runIn, t.lead);
     return issue("runInBlocked", "error", { x: toDiameter(at.r), z: at.z, ...(nearest !== null && { nearest }) }, "runIn");
   }
-  const blocked = tooHigh(w, { frame, insert, frontier, stock: setting.stock, from: begins.u - back, to: ends.u });
+  const blocked = tooHigh(w, frame, insert, setting.stock, { from: begins.u - back, to: ends.u });
   if (blocked) return blocked;
   if (frontier.freeFrom(start.u) > start.v + SAME) {
     const works = toPart(frame, { u: begins.u, v: over });

@@ -25,7 +25,7 @@ export const threads = {
   toothAssumed: (d, w) =>
     `CUTLENGTH des Gewindewerkzeugs ist leer: Als Zahnhöhe gelten ${
       w.length(d.height)
-    }. Zahnhöhe eingeben, damit Schultern neben dem Gewinde mit ` + "der wirklichen Schneide geprüft werden.",
+    }. Zahnhöhe eingeben, damit Absätze neben dem Gewinde mit ` + "der wirklichen Schneide geprüft werden.",
   threadOverInsert: (d, w) => `${w.length(d.depth)} sind tiefer, als die Schneide hoch ist: ${w.length(d.most)}.`,
   threadMeets: (d, w) =>
     `${d.place === "over" ? "" : `Im ${d.place === "before" ? "Anlauf" : "Überlauf"} läuft das Werkzeug ins Material. `}Bei ${
@@ -51,11 +51,11 @@ export const threads = {
     }; die Schnitte treffen womöglich nicht denselben Gang. VCONST:OFF mit S programmieren.`,
   threadOverruns: (d, w) =>
     `Das Gewinde endet bei ${placeOn(d.axis, d.end, w)} und läuft über bis ${placeOn(d.axis, d.to, w)}; ${
-      d.meets === "shaft" ? "dort schneidet es" : "dort trifft eine Flanke der Schneide die Schulter und schneidet"
+      d.meets === "shaft" ? "dort schneidet es" : "dort trifft eine Flanke der Schneide den Absatz und schneidet"
     } bei ${w.place(d.x, d.z)} ${
       w.area(d.area)
     } des Fertigteils weg. Gewinde früher enden lassen (Q494), Gewindeauslauf (Q474) angeben oder `
-    + "vorher einen Freistich (DIN 76) drehen.",
+    + "vorher einen ausreichend breiten Freistich (DIN 76) drehen.",
   crestMissing: (d, w) =>
     `Den Gewindespitzen fehlen ${w.length(d.missing)}: Es ist zu wenig Material da. Richtig wäre ${
       "diameter" in d ? w.diameter(d.diameter) : `Z${w.signed(d.z)}`

@@ -55,7 +55,7 @@ export const threads = {
       d.meets === "shaft" ? "there it cuts" : "there a flank of the insert meets the shoulder, which loses"
     } ${w.area(d.area)} of the finished part, at ${
       w.place(d.x, d.z)
-    }. End the thread earlier (Q494), lift along a run-out (Q474), or turn a relief (DIN 76) before it.`,
+    }. End the thread earlier (Q494), lift along a run-out (Q474), or turn a relief (DIN 76) that is wide enough.`,
   crestMissing: (d, w) =>
     `The crest of the thread is missing by ${w.length(d.missing)}: there is not enough material. Right would be ${
       "diameter" in d ? w.diameter(d.diameter) : `Z${w.signed(d.z)}`

@@ -53,7 +53,7 @@ export const threads = {
       d.meets === "shaft" ? "là il enlève" : "là un flanc de la plaquette touche l’épaulement et enlève"
     } ${w.area(d.area)} de la pièce finie, en ${
       w.place(d.x, d.z)
-    }. Finir le filetage plus tôt (Q494), sortir progressivement (Q474) ou tourner ` + "avant un dégagement (DIN 76).",
+    }. Finir le filetage plus tôt (Q494), sortir progressivement (Q474) ou tourner ` + "avant un dégagement (DIN 76) assez large.",
   crestMissing: (d, w) =>
     `Il manque ${w.length(d.missing)} au sommet du filet : il n’y a pas assez de matière. Correct serait ${
       "diameter" in d ? w.diameter(d.diameter) : `Z${w.signed(d.z)}`

@@ -19,7 +19,7 @@ export const threads = {
     `Q473 = 0采用米制牙型的深度：${w.number(d.factor)} × ${w.size(d.pitch)} = ${w.length(d.depth)}。该系数属于60°，此刀片为${
       w.angle(d.angle)
     }。${d.right === undefined ? "请输入其牙型的深度。" : `惠氏牙型（55°）：${w.number(d.right)} × 螺距。`}${nearest(d.nearest, w.size)}`,
-  toothAssumed: (d, w) => `螺纹刀的CUTLENGTH为空：按牙高${w.length(d.height)}计算。请输入牙高，以便用实际刀片检查螺纹旁的台肩。`,
+  toothAssumed: (d, w) => `螺纹刀的CUTLENGTH为空：按牙高${w.length(d.height)}计算。请输入牙高，以便用实际刀片检查螺纹旁的台阶。`,
   threadOverInsert: (d, w) => `${w.length(d.depth)}超过刀片高度${w.length(d.most)}。`,
   threadMeets: (d, w) =>
     `${d.place === "over" ? "" : `${d.place === "before" ? "导入段" : "越程段"}内刀具会碰到材料。`}在${
@@ -39,8 +39,8 @@ export const threads = {
     }，各刀可能不在同一牙槽中。请编程VCONST:OFF和S。`,
   threadOverruns: (d, w) =>
     `螺纹在${placeOn(d.axis, d.end, w)}结束，越程到${placeOn(d.axis, d.to, w)}；${
-      d.meets === "shaft" ? "在那里切掉" : "在那里刀片侧刃碰到台肩，切掉"
-    }成品工件${w.area(d.area)}，位于${w.place(d.x, d.z)}。请提前结束螺纹（Q494）、编程退尾（Q474）或先车退刀槽（DIN 76）。`,
+      d.meets === "shaft" ? "在那里切掉" : "在那里刀片侧刃碰到台阶，切掉"
+    }成品工件${w.area(d.area)}，位于${w.place(d.x, d.z)}。请提前结束螺纹（Q494）、编程退尾（Q474）或先车足够宽的退刀槽（DIN 76）。`,
   crestMissing: (d, w) =>
     `螺纹牙顶缺少${w.length(d.missing)}：材料不足。正确的尺寸为${"diameter" in d ? w.diameter(d.diameter) : `Z${w.signed(d.z)}`}。`,
   threadTooMany: (d, w) => `所有走刀共${w.number(d.turns)}转主轴，超过${w.number(d.most)}。`,
