@@ -46,7 +46,8 @@ function situationOf({ values, contour, tool: { T, ...changed }, start, blank }:
       ...tool,
       ...changed as Partial<Tool>,
       ...(!pointsThere && { TO: draw.whole(1, 8) as TipOrientation }),
-      ...(!wholeEdge && { CUTLENGTH: length(draw.whole(2000, 5000) / 1000) }),
+      // Where a set-up says how long the edge is, the rest of it may hang on that.
+      ...(!wholeEdge && changed.CUTLENGTH === undefined && { CUTLENGTH: length(draw.whole(2000, 5000) / 1000) }),
     },
     start: called,
     blank: [blank],
