@@ -26,7 +26,10 @@ export const threads = {
     `CUTLENGTH des Gewindewerkzeugs ist leer: Als Zahnhöhe gelten ${
       w.length(d.height)
     }. Zahnhöhe eingeben, damit Absätze neben dem Gewinde mit ` + "der wirklichen Schneide geprüft werden.",
-  threadOverInsert: (d, w) => `${w.length(d.depth)} sind tiefer, als die Schneide hoch ist: ${w.length(d.most)}.`,
+  threadOverInsert: (d, w) =>
+    `${w.length(d.depth)} sind tiefer, als die Schneide hoch ist: ${
+      w.length(d.most)
+    }. Ein Gewindewerkzeug mit höherem Zahn (CUTLENGTH) nehmen.`,
   threadMeets: (d, w) =>
     `${d.place === "over" ? "" : `Im ${d.place === "before" ? "Anlauf" : "Überlauf"} läuft das Werkzeug ins Material. `}Bei ${
       w.place(d.x, d.z)

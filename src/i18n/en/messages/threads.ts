@@ -26,7 +26,8 @@ export const threads = {
     `CUTLENGTH of the thread tool is empty: the tooth is taken to be ${
       w.length(d.height)
     } high. Enter its height, so that shoulders beside the ` + "thread are checked with the real insert.",
-  threadOverInsert: (d, w) => `${w.length(d.depth)} are deeper than the insert is high: ${w.length(d.most)}.`,
+  threadOverInsert: (d, w) =>
+    `${w.length(d.depth)} are deeper than the insert is high: ${w.length(d.most)}. Take a thread tool with a higher tooth (CUTLENGTH).`,
   threadMeets: (d, w) =>
     `${d.place === "over" ? "" : `In the ${d.place === "before" ? "run-in" : "overrun"} the tool runs into material. `}At ${
       w.place(d.x, d.z)

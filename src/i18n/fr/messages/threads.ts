@@ -25,7 +25,8 @@ export const threads = {
   toothAssumed: (d, w) =>
     `CUTLENGTH de l’outil à fileter est vide : la dent est supposée haute de ${w.length(d.height)}. Indiquer sa hauteur, pour que les `
     + "épaulements voisins du filetage soient contrôlés avec la vraie plaquette.",
-  threadOverInsert: (d, w) => `${w.length(d.depth)} dépassent la hauteur de la plaquette : ${w.length(d.most)}.`,
+  threadOverInsert: (d, w) =>
+    `${w.length(d.depth)} dépassent la hauteur de la plaquette : ${w.length(d.most)}. Prendre un outil à dent plus haute (CUTLENGTH).`,
   threadMeets: (d, w) =>
     `${d.place === "over" ? "" : `${d.place === "before" ? "À l’engagement" : "En fin de course"}, l’outil entre dans la matière. `}En ${
       w.place(d.x, d.z)

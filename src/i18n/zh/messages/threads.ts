@@ -20,7 +20,7 @@ export const threads = {
       w.angle(d.angle)
     }。${d.right === undefined ? "请输入其牙型的深度。" : `惠氏牙型（55°）：${w.number(d.right)} × 螺距。`}${nearest(d.nearest, w.size)}`,
   toothAssumed: (d, w) => `螺纹刀的CUTLENGTH为空：按牙高${w.length(d.height)}计算。请输入牙高，以便用实际刀片检查螺纹旁的台阶。`,
-  threadOverInsert: (d, w) => `${w.length(d.depth)}超过刀片高度${w.length(d.most)}。`,
+  threadOverInsert: (d, w) => `${w.length(d.depth)}超过刀片高度${w.length(d.most)}。请选用牙更高的螺纹刀（CUTLENGTH）。`,
   threadMeets: (d, w) =>
     `${d.place === "over" ? "" : `${d.place === "before" ? "导入段" : "越程段"}内刀具会碰到材料。`}在${
       w.place(d.x, d.z)
