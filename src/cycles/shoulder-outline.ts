@@ -80,13 +80,13 @@ export function shoulderOutline(v: ShoulderValues, transverse: boolean): BoxOutl
 
 const angleAt = (q: string, direction: number) => (q === "Q496" ? 90 - direction : direction);
 
-/** A contour whose start and end agree in a coordinate has no area. */
+/** A contour whose start and end agree in a coordinate has no area, nor has one that lies wholly beyond the axis. */
 export function equalEnds(v: { Q491: Diameter; Q492: Axial; Q493: Diameter; Q494: Axial }): Issue[] {
   const issues: Issue[] = [];
   if (v.Q491 === v.Q493) issues.push(issue("startEqualsEnd", "error", { other: "Q491", value: v.Q493, nearest: nextTo(v.Q493) }, "Q493"));
   if (v.Q492 === v.Q494) issues.push(issue("startEqualsEnd", "error", { other: "Q492", value: v.Q494, nearest: nextTo(v.Q494) }, "Q494"));
-  for (const q of ["Q491", "Q493"] as const)
-    if (v[q] < 0) issues.push(issue("diameterNegative", "error", { value: v[q], nearest: -v[q] }, q));
+  const outer = v.Q491 > v.Q493 ? "Q491" : "Q493";
+  if (v[outer] < 0) issues.push(issue("diameterNegative", "error", { value: v[outer], nearest: 0 }, outer));
   return issues;
 }
 /** The next value on the control's grid. */

@@ -41,7 +41,7 @@ function endIssues(from: Pt, to: Pt, transverse: boolean, given: { Q491: Diamete
   const issues: Issue[] = [];
   for (const q of ["Q491", "Q493"] as const) {
     const value = given[q];
-    if (value !== undefined && value < 0) issues.push(issue("diameterNegative", "error", { value, nearest: -value }, q));
+    if (value !== undefined && value < 0) issues.push(issue("diameterNegative", "error", { value, nearest: 0 }, q));
   }
   if (transverse && Math.abs(from.r - to.r) < ROUND && given.Q493 !== undefined)
     issues.push(issue("startEqualsEnd", "error", { other: "Q491", value: given.Q493, nearest: nextTo(given.Q493) }, "Q493"));

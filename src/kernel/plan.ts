@@ -14,9 +14,14 @@ export interface Setting {
   readonly autoFeed: Feed | null;
   /** Outlines of what stands in the chuck at the call; null where earlier cuts have left nobody knows what. */
   readonly stock: readonly Ring[] | null;
-  /** True where roughing leaves out passes that touch nothing of that stock. */
+  /** True where that stock is traced (FUNCTION TURNDATA BLANK): roughing leaves out passes that touch nothing of it. */
   readonly leavesOutAir?: boolean;
+  /** What nobody has bored yet: outlines, and the Z from which on they are solid. Absent where nobody knows. */
+  readonly solid?: { readonly rings: readonly Ring[]; readonly below: number } | null;
 }
+
+/** The stock that a path may hang on: a control knows none but one that is traced, whatever BLK FORM says. */
+export const tracedStock = ({ stock, leavesOutAir }: Setting): readonly Ring[] | null => (leavesOutAir ? stock : null);
 
 /** A stretch of the finishing path, with what keeps the insert from going deeper there (null: it lies on the contour). */
 export interface Reach {

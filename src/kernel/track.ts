@@ -11,7 +11,7 @@ export interface Purpose {
   readonly plunging?: true;
 }
 
-/** Limits of the tip in strategy space: how far it may pass the axis of rotation. */
+/** Limits of the tip in strategy space. */
 export interface Room {
   readonly minU: number;
   readonly maxU: number;
@@ -26,6 +26,13 @@ export function roomOf(f: Frame, beyond = 0): Room {
   return { minU: lowU, maxU: highU, minV: lowV, maxV: highV };
 }
 
+/** In a bore no way leads nearer to the axis than the place nearest to it that is named; `nearest`: the named places. */
+export function roomInside(room: Room, f: Frame, nearest: readonly Flat[]): Room {
+  if (!f.transverse && f.signV < 0) return { ...room, maxV: Math.min(room.maxV, Math.max(...nearest.map((p) => p.v))) };
+  if (f.transverse && f.signU > 0) return { ...room, minU: Math.max(room.minU, Math.min(...nearest.map((p) => p.u))) };
+  return room;
+}
+
 /** Moves shorter than this are rounding, mm. */
 const STILL = 2e-6;
 
@@ -33,7 +40,7 @@ const STILL = 2e-6;
 export class Track {
   readonly moves: Move[] = [];
   at: Flat;
-  private readonly frame: Frame;
+  protected readonly frame: Frame;
   private readonly feedUnit: FeedUnit;
   private readonly room: Room;
 
@@ -102,7 +109,8 @@ export class Track {
     });
   }
 
-  private inside(p: Flat): Flat {
+  /** The place where the tip may be that is next to a point. */
+  inside(p: Flat): Flat {
     const r = this.room;
     return { u: Math.min(Math.max(p.u, r.minU), r.maxU), v: Math.min(Math.max(p.v, r.minV), r.maxV) };
   }

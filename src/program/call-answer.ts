@@ -1,6 +1,6 @@
 import type { Cycle, Given } from "../cycles/define.ts";
 import type { Issue } from "../kernel/issue.ts";
-import type { Plan } from "../kernel/plan.ts";
+import type { Plan, Setting } from "../kernel/plan.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
 import { empty } from "../kernel/strategy/leveled.ts";
 import type { Tool } from "../kernel/tool.ts";
@@ -27,6 +27,8 @@ interface CalledCycle extends Pick<Given, "contour"> {
   readonly tool: Tool;
   /** What stands in the chuck, on the workpiece; null where nobody knows. */
   readonly stock: readonly Ring[] | null;
+  /** What of the blank nobody has bored yet, on the workpiece. */
+  readonly solid: Setting["solid"];
 }
 
 /** What comes of a call, wherever it stands in the program. */
@@ -43,13 +45,16 @@ const nothing: Plan = empty([]);
 
 const unique = (issues: readonly Issue[]) => [...new Map(issues.map((i) => [JSON.stringify([i.code, i.at ?? "", i.data]), i])).values()];
 
-function answer(machine: Machine, { cycle, defined, contour, told, start: at, tool, stock: standing }: CalledCycle): CallAnswer {
+function answer(machine: Machine, { cycle, defined, contour, told, start: at, tool, stock: standing, solid: unbored }: CalledCycle): CallAnswer {
   const { spindle, now: { datum, toolFeed: autoFeed, tool: called } } = machine;
   const start = countedPoint(at, datum);
   const given: Given = { contour, start };
   const { values, partial, issues } = cycleValues(machine, cycle, defined.values);
   const stock = standing?.map((ring) => ring.map((p) => countedPoint(p, datum))) ?? null;
-  const setting = { tool, start, feedUnit: machine.feedUnit, autoFeed, stock, leavesOutAir: machine.traced !== null };
+  const solid = unbored
+    ? { rings: unbored.rings.map((ring) => ring.map((p) => countedPoint(p, datum))), below: unbored.below - datum.z }
+    : null;
+  const setting = { tool, start, feedUnit: machine.feedUnit, autoFeed, stock, leavesOutAir: machine.traced !== null, solid };
   const plan = values && (cycle.contour === "own" || contour) ? cycle.plan(values, setting, given) : nothing;
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
   // What a tool that was never called would do wrong is no fault of the program.
@@ -74,7 +79,7 @@ const place = ({ z, r }: Pt): string => `${exactly(z)} ${exactly(r)}`;
 
 /** All that an answer hangs on. */
 function questionOf(machine: Machine, memory: Pick<PlanMemory, "nameOf">, asked: CalledCycle): string {
-  const { cycle, defined, contour, told, start, tool, stock } = asked;
+  const { cycle, defined, contour, told, start, tool, stock, solid } = asked;
   const { spindle, clock: { rapid }, now: { inch, datum, toolFeed, perRevolution, tool: called } } = machine;
   return [
     `call ${cycle.number} ${place(start)} ${exactly(datum.x)} ${exactly(datum.z)} ${exactly(datum.y)}`,
@@ -83,6 +88,7 @@ function questionOf(machine: Machine, memory: Pick<PlanMemory, "nameOf">, asked:
     contour ? memory.nameOf(contour) : "",
     memory.nameOf(tool),
     stock ? memory.nameOf(stock) : "",
+    solid ? `${memory.nameOf(solid.rings)} ${exactly(solid.below)}` : "",
   ].join("\n");
 }
 

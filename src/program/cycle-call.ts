@@ -19,7 +19,7 @@ import { perform } from "./perform.ts";
 import type { TextLine } from "./run-types.ts";
 import { callNamed } from "./program-calls.ts";
 import { countedPoint } from "./shifted-plan.ts";
-import { stockAtCall } from "./stock-at-call.ts";
+import { solidAtCall, stockAtCall } from "./stock-at-call.ts";
 import { mustTurn } from "./spindle-start.ts";
 import { startUnknown } from "./turn-run.ts";
 import { actingCycle, actsAtOnce, isSilent } from "./unproved-blocks.ts";
@@ -157,7 +157,8 @@ export function callCycle(machine: Machine, index: number): void {
   const { places, contour, told } = cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : OWN_CONTOUR;
   const tool = machine.now.tool ?? standIn(machine, cycle, defined.values, contour, start, index);
   if (!tool) return;
-  const answer = answerTo(machine, { cycle, defined, contour, told, start, tool, stock: stockAtCall(machine) });
+  const standing = { stock: stockAtCall(machine), solid: solidAtCall(machine) };
+  const answer = answerTo(machine, { cycle, defined, contour, told, start, tool, ...standing });
   const contourLines = contour && { contourLines: places.map(({ block }) => lineAt(machine, block)) };
   perform(machine, { cycle: cycle.number, defined, answer, start, tool, ...contourLines }, index);
   const where = machine.blocks[defined.index]?.raw ?? "";

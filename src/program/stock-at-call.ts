@@ -1,4 +1,6 @@
 import { isDrill } from "../kernel/drill.ts";
+import type { Setting } from "../kernel/plan.ts";
+import { SAME } from "../kernel/tolerance.ts";
 import type { Ring } from "../kernel/point.ts";
 import type { Machine } from "./machine.ts";
 
@@ -21,4 +23,18 @@ export function stockAtCall(machine: Machine): readonly Ring[] | null {
   }
   const isUncut = operations.length === blankSince.operations && !steps.slice(blankSince.steps).some((s) => isDrill(s.tool));
   return isUncut && blank.length > 0 ? blank : null;
+}
+
+/**
+ * What of the blank nobody has bored yet: behind the lowest Z that a drill or a cut on the axis has come to. Null where nobody knows what
+ * stands there, as behind effects that are not simulated.
+ */
+export function solidAtCall(machine: Machine): Setting["solid"] {
+  const { traced, now: { blank, blankSince }, log: { steps, unproved } } = machine;
+  if (traced) return { rings: stockAtCall(machine) ?? [], below: Infinity };
+  if (blank.length === 0 || unproved.length > 0) return null;
+  let below = Infinity;
+  for (const { tool, move } of steps.slice(blankSince.steps))
+    if (move.kind !== "rapid" && (isDrill(tool) || move.to.r <= SAME)) below = Math.min(below, move.to.z);
+  return { rings: blank, below };
 }

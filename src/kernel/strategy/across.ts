@@ -1,11 +1,12 @@
-import { inBox } from "../box.ts";
 import { areaOf } from "../area.ts";
+import { boxAround, inBox } from "../box.ts";
+import { intersection } from "../clip.ts";
 import { insertOutline } from "../insert.ts";
-import { issue } from "../issue.ts";
+import { issue, type Issue } from "../issue.ts";
 import type { Plan, Setting } from "../plan.ts";
-import type { Pt, Ring } from "../point.ts";
+import { at, type Pt, type Ring } from "../point.ts";
 import { CHORD, SAME } from "../tolerance.ts";
-import { radius, roundedUp, toDiameter } from "../units.ts";
+import { rounded, toDiameter } from "../units.ts";
 
 /** Areas below this are the chords of two curves that touch, mm². */
 const REAL = 0.01;
@@ -28,34 +29,79 @@ function acrossAt(outline: Ring, r: number): { from: number; to: number; reach: 
   return reach > SAME ? { from, to, reach } : null;
 }
 
+/** The convex outline of points, counter-clockwise. */
+function hullOf(points: readonly Pt[]): Pt[] {
+  const sorted = [...points].sort((a, b) => a.z - b.z || a.r - b.r);
+  const chain = (all: readonly Pt[]) =>
+    all.reduce<Pt[]>((out, p) => {
+      const left = (a: Pt, b: Pt) => (b.z - a.z) * (p.r - a.r) - (b.r - a.r) * (p.z - a.z) > 0;
+      while (out.length > 1 && !left(out.at(-2) as Pt, out.at(-1) as Pt)) out.pop();
+      return [...out, p];
+    }, []).slice(0, -1);
+  return [...chain(sorted), ...chain(sorted.reverse())];
+}
+
+/** What a convex outline sweeps on the other side of the axis on a straight way, turned to this side. */
+function sweptAcross(outline: Ring, from: Pt, to: Pt): Ring[] {
+  const turned = [from, to].flatMap((p) => outline.map((q) => at(q.z + p.z, -(q.r + p.r))));
+  return inBox([hullOf(turned)], { left: -Infinity, right: Infinity, low: 0, high: Infinity });
+}
+
+/** A plan without its path, for a reason. */
+const refusedFor = (plan: Plan, found: Issue): Plan => ({ ...plan, moves: [], passes: 0, reach: [], kept: [],
+  issues: [...plan.issues, found] });
+
 /**
  * The work turns: what an insert reaches across the axis meets the part on the other side, as in a bore that is narrower than the
- * insert is long. A plan that would is refused with the smallest diameter at which the tip stays clear.
+ * insert is long. A plan that would is refused with the smallest diameter at which the tip stays clear. So is one that bores where there
+ * is no bore.
  */
-export function clearAcross(plan: Plan, { tool, start, stock }: Setting, role: "startU" | "startV"): Plan {
+export function clearAcross(plan: Plan, setting: Setting, role: "startU" | "startV"): Plan {
+  const { tool, start } = setting;
   const outline = insertOutline(plan.tool ?? tool, CHORD, false);
   const lowest = Math.min(0, ...outline.map((p) => p.r));
-  if (!(plan.moves.length > 0) || Math.min(start.r, ...plan.moves.map((m) => m.to.r)) + lowest > -SAME) return plan;
+  if (!(plan.moves.length > 0)) return plan;
+  const missing = role === "startV" && plan.openSide.r < 0 ? boreMissing(plan, setting, lowest) : null;
+  if (missing) return refusedFor(plan, missing);
+  if (Math.min(start.r, ...plan.moves.map((m) => m.to.r)) + lowest > -SAME) return plan;
   let from = start;
-  // From inside, a rapid through a core that nobody has bored cannot be meant.
-  const core = role === "startV" && stock ? [plan.part, ...stock] : [plan.part];
-  for (const { to, kind } of plan.moves) {
+  for (const { to } of plan.moves) {
     const across = acrossAt(outline, Math.min(from.r, to.r));
     const [left, right] = [Math.min(from.z, to.z), Math.max(from.z, to.z)];
+    const way = [from, to] as const;
     from = to;
     if (!across) continue;
-    const met = inBox(kind === "rapid" ? core : [plan.part], {
-      left: left + across.from,
-      right: right + across.to,
-      low: 0,
-      high: across.reach,
-    });
-    if (areaOf(met) < REAL) continue;
+    const near = inBox([plan.part], { left: left + across.from, right: right + across.to, low: 0, high: across.reach });
+    if (areaOf(near) < REAL || areaOf(intersection(sweptAcross(outline, ...way), near)) < REAL) continue;
     const free = Math.min(...plan.contour.flatMap((s) => [s.from.r, s.to.r]));
-    const x = roundedUp(toDiameter(radius(-lowest - free)));
-    const refused = issue("insertAcrossAxis", "error",
-      x < toDiameter(radius(free)) ? { reach: across.reach, nearest: x } : { reach: across.reach }, role);
-    return { ...plan, moves: [], passes: 0, reach: [], kept: [], issues: [...plan.issues, refused] };
+    const x = wholeAbove(-2 * lowest - 2 * free);
+    return refusedFor(plan, issue("insertAcrossAxis", "error",
+      x > 0 && x < 2 * free ? { reach: across.reach, nearest: x } : { reach: across.reach }, role));
   }
   return plan;
+}
+
+/** Shorter pieces of a core are the rounding of an outline, mm. */
+const CORE = 0.1;
+
+/** The next diameter above one that a setter would type. */
+const wholeAbove = (d: number) => Math.ceil(d - SAME);
+
+/**
+ * Where a path inside the work runs into solid material: to the axis, or so near to it that the insert leaves a core for its shank to
+ * meet. `lowest`: how far the insert reaches from the tip towards the axis and beyond.
+ */
+function boreMissing(plan: Plan, { start, solid }: Setting, lowest: number): Issue | null {
+  const cuts = plan.moves.flatMap((m, i) => (m.kind === "rapid" ? [] : [plan.moves[i - 1]?.to ?? start, m.to]));
+  if (!solid || cuts.length === 0) return null;
+  const zs = cuts.map((p) => p.z);
+  const [left, right] = [Math.min(...zs), Math.min(Math.max(...zs), solid.below)];
+  if (right - left < CORE) return null;
+  for (const high of [SAME, start.r + lowest - SAME]) {
+    const core = high > 0 ? boxAround(inBox(solid.rings, { left, right, low: 0, high })) : null;
+    if (core === null || !(core.right - core.left > CORE)) continue;
+    const [z, to] = start.z > (left + right) / 2 ? [core.right, left] : [core.left, right];
+    return issue("holeMissing", "error", { z: rounded(z), to: rounded(to), need: toDiameter(start.r) }, "start.x");
+  }
+  return null;
 }

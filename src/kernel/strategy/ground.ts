@@ -2,15 +2,16 @@ import { extent, grown, grownRound, inFrame, type Convex } from "../convex.ts";
 import { besideAt } from "../cut-envelope.ts";
 import { below } from "../below.ts";
 import { higherOf, linePiece, pathAlong, upperEnvelope, type Envelope, type Origin, type EnvelopePiece } from "../envelope.ts";
-import { flat, normalAt, segmentToPart, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { flat, normalAt, segmentToPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { positive } from "../geometry/segments.ts";
-import { insertShape, isBar, noseRadius } from "../insert.ts";
+import { insertShape, isBar } from "../insert.ts";
 import { issue, type Issue, type Reason } from "../issue.ts";
 import type { Reach } from "../plan.ts";
 import { reachOver, type Bound } from "../reach.ts";
 import type { Tool } from "../tool.ts";
 import { ROUND, SAME } from "../tolerance.ts";
 import { roomOf } from "../track.ts";
+import { aroundAxis, beyondAxis } from "./axis.ts";
 
 /** Longer than any part: how far bounds run on beyond the contour, mm. */
 export const FAR = 5000;
@@ -50,20 +51,22 @@ export interface Ground {
 export function groundOver(contour: readonly Bound[], tool: Tool, frame: Frame, keep: Keep, s: Surroundings): Ground {
   const round = keep.round ?? 0;
   const insert = grownRound(grown(insertIn(tool, frame), keep.u, keep.v), round);
-  const first = (contour[0] as Bound).segment;
-  const last = (contour[contour.length - 1] as Bound).segment;
+  const turned = aroundAxis(contour, frame);
+  const [first, last] = turned.ends;
   const start = touch(insert, first, "from");
   const end = touch(insert, last, "to");
   const edge = (from: Flat, to: Flat): Bound => ({ segment: { kind: "line", from, to }, on: "edge" });
-  const chain: Bound[] = [...contour];
+  const chain: Bound[] = [...turned.chain];
   // The walls close the area and are no part of the part: they keep no oversize.
   const open = first.from.u - keep.u - round;
-  if (s.frontWall !== null)
+  if (turned.front) chain.unshift(...turned.front);
+  else if (s.frontWall !== null)
     chain.unshift(edge({ u: open - FAR, v: s.frontWall }, { u: open, v: s.frontWall }),
       edge({ u: open, v: s.frontWall }, { u: open, v: first.from.v }), edge({ u: open, v: first.from.v }, first.from));
   else if (s.front === "part") chain.unshift(edge({ u: first.from.u - FAR, v: first.from.v }, first.from));
   const close = last.to.u + keep.u + round;
-  if (s.wall !== null)
+  if (turned.back) chain.push(...turned.back);
+  else if (s.wall !== null)
     chain.push(edge(last.to, { u: close, v: last.to.v }), edge({ u: close, v: last.to.v }, { u: close, v: s.wall }),
       edge({ u: close, v: s.wall }, { u: close + FAR, v: s.wall }));
   else chain.push(edge(last.to, { u: last.to.u + FAR, v: last.to.v }));
@@ -76,7 +79,7 @@ export function groundOver(contour: readonly Bound[], tool: Tool, frame: Frame, 
   const high = last.to.u + FAR;
   const bottom = extent(insertIn(tool, frame)).minV;
   const level = first.from.v + keep.v + round - bottom;
-  if (s.front === "free") bound(low, start.u, level, "edge");
+  if (s.front === "free" && !turned.front) bound(low, start.u, level, "edge");
   for (const f of s.floors) bound(low, high, f.v - bottom, f.on);
   const axis = roomOf(frame, beyondAxis(tool, contour.map((b) => b.segment), frame)).minV;
   if (axis > -Infinity) bound(low, high, axis, "edge");
@@ -86,17 +89,6 @@ export function groundOver(contour: readonly Bound[], tool: Tool, frame: Frame, 
   const ahead = first.from.u - extent(insert).maxU - SAME;
   const free = s.front === "free" && ahead < start.u ? below(envelope, level, ahead, start.u)[0]?.to : undefined;
   return { envelope, start, end, first: free ?? start.u, bare };
-}
-
-/**
- * How far the tip may pass the axis, mm: facing ends when the centre of the nose stands on it (decision "The axis"), and a
- * contour that is drawn beyond it is followed.
- */
-export function beyondAxis(tool: Tool, contour: readonly FlatSegment[], frame: Frame): number {
-  if (!frame.transverse) return 0;
-  let least = Infinity;
-  for (const { from, to } of contour) least = Math.min(least, toPart(frame, from).r, toPart(frame, to).r);
-  return least < SAME ? Math.max(0, -least) + noseRadius(tool) : 0;
 }
 
 /** The insert in strategy space, relative to the tip. */
@@ -148,6 +140,9 @@ const away = (a: number, b: number) => Math.min(positive(a - b), positive(b - a)
 export function reachOf(g: Ground, u0: number, u1: number, frame: Frame, tool: Tool): Reach[] {
   return pathAlong(g.envelope, u0, u1).map((s) => ({ path: segmentToPart(frame, s.segment), reason: reasonOf(s.origin, tool) }));
 }
+
+/** The ends of the finishing path over a ground. */
+export const reachedBy = ({ start, end, first }: Ground): readonly Flat[] => [start, { u: first, v: start.v }, end];
 
 /** What keeps the insert from going deeper; where a side behind a cutting edge does, that edge is too short. */
 function reasonOf(o: Origin | null, tool: Tool): Reason | null {

@@ -4,19 +4,20 @@ import { lowest, type Envelope } from "../envelope.ts";
 import { lowestOf, segmentToFlat, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { flanksUnknown, isBar } from "../insert.ts";
 import { issue, type Issue } from "../issue.ts";
-import type { Plan, Setting } from "../plan.ts";
+import { tracedStock, type Plan, type Setting } from "../plan.ts";
 import { at, type Segment } from "../point.ts";
 import type { Bound } from "../reach.ts";
 import { SAME } from "../tolerance.ts";
 import type { ToolType } from "../tool.ts";
-import { roomOf } from "../track.ts";
+import { roomInside, roomOf } from "../track.ts";
 import { length, radius, toDiameter } from "../units.ts";
 import { clearAcross } from "./across.ts";
+import { beyondAxis } from "./axis.ts";
 import type { Feeds } from "./feeds.ts";
 import { followContour } from "./finish.ts";
 import { unfit } from "./fit.ts";
 import { atCall, Frontier } from "./frontier.ts";
-import { beyondAxis, FAR, groundOver, insertIn, insidePart, leadOf, reachOf, startInPart, type Surroundings } from "./ground.ts";
+import { FAR, groundOver, insertIn, insidePart, leadOf, reachedBy, reachOf, startInPart, type Surroundings } from "./ground.ts";
 import { divide, limitedInfeed, type Division } from "./infeed.ts";
 import { countedAnew, roughByLevels } from "./levels.ts";
 import { limitsInPart, limitsOf } from "./limits.ts";
@@ -57,7 +58,7 @@ interface Site {
   readonly insert: Convex;
   readonly keep: Flat;
   readonly called: Flat;
-  /** Tip height of the outer corner of the area; the highest and the lowest point of the contour. */
+  /** Tip height of the outer corner of the area; the highest and the lowest point of the contour, which from outside is the axis at most. */
   readonly outer: number;
   readonly highest: number;
   readonly lowest: number;
@@ -77,10 +78,13 @@ function siteOf(l: Leveled, setting: Setting): Site | null {
     keep: l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r },
     outer: Math.max(l.outerHeight ?? first.from.v, first.from.v) - extent(insert).minV,
     highest: flat.reduce((most, s) => Math.max(most, s.from.v, s.to.v), -Infinity),
-    lowest: flat.reduce((least, s) => Math.min(least, lowestOf(s)), Infinity),
+    lowest: Math.max(floorOf(l.frame), flat.reduce((least, s) => Math.min(least, lowestOf(s)), Infinity)),
     inFront: l.partInFront || (l.frame.transverse && l.frame.signU > 0),
   };
 }
+
+/** From outside and along the axis no level lies deeper than that. */
+const floorOf = ({ transverse, signV }: Frame) => (!transverse && signV > 0 ? 0 : -Infinity);
 
 /** Plans roughing and finishing of a leveled cycle. Never throws; what cannot be planned is an issue. */
 export function planLeveled(l: Leveled, setting: Setting): Plan {
@@ -107,18 +111,20 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const bounds: Bound[] = l.plunging ? flat.map((segment) => ({ segment, on: "contour" })) : bridged(flat);
   const limits = limitsOf(l.limit, called, flat, issues);
   const over = toFinishOver(site, limits.floor);
-  const room = roomOf(l.frame, beyondAxis(tool, flat, l.frame));
   const drawn = groundOver(bounds, tool, l.frame, NOTHING, over);
   const start = startOf(l, site, setting);
+  const room = roomInside(roomOf(l.frame, beyondAxis(tool, flat, l.frame)), l.frame, [called, start, ...reachedBy(drawn)]);
   if (insidePart(drawn, called)) return { ...sketch, issues: [...issues, startInPart(workingStart(l, site))] };
   const top = Math.max(start.v, site.outer);
   // Nothing stands beyond the axis: there the area is open.
   const wall = top + extent(insert).minV > last.to.v + SAME && toPart(l.frame, last.to).r > SAME ? top + FAR : null;
   const floor = site.lowest + keep.v;
-  const kept = groundOver(bounds, tool, l.frame, keep, { ...over, wall, floors: [...over.floors, { v: floor, on: "edge" }] });
+  // What stands in front of a contour that begins or ends on the axis is taken with it: there is no floor.
+  const floors = site.lowest > floorOf(l.frame) + SAME ? [...over.floors, { v: floor, on: "edge" as const }] : over.floors;
+  const kept = groundOver(bounds, tool, l.frame, keep, { ...over, wall, floors });
   // The contour grown by the oversize is wanted only where something follows it, or where roughing has run before.
   const grown = l.operation > 1 || l.smoothing === 1 ? groundOver(bounds, tool, l.frame, keep, over) : drawn;
-  const stands = atCall({ stock: setting.stock, area: areaCorners(site, top), frame: l.frame, insert }, drawn.bare,
+  const stands = atCall({ stock: tracedStock(setting), area: areaCorners(site, top), frame: l.frame, insert }, drawn.bare,
     l.operation > 1 ? { grown: grown.bare, infeed: l.infeed } : null);
   const cutter = new Cutter(l.frame, setting.feedUnit, called, room, new Frontier(stands, insert, limits.ceiling),
     Math.max(called.v, start.v));
@@ -146,7 +152,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   let division: Division = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
     const upper = Math.min(top, limits.ceiling);
-    const depth = upper - deepestLevel(l, site, setting, kept.envelope, from, to);
+    const depth = upper - Math.max(floor - extent(insert).minV, deepestLevel(l, site, setting, kept.envelope, from, to));
     const divided = divide(depth, limitedInfeed(l.infeed, tool, depth, issues), issues);
     if (!divided) return { ...sketch, issues };
     division = divided;

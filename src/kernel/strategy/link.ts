@@ -74,10 +74,12 @@ export class Cutter extends Track {
 
   /**
    * Leaves the contour at feed: at 45°, away from the cutting direction (`towards` −1) or along it (1), by `by` mm in either
-   * axis; straight up by the same where the part is in the way. `room`: how far it may lean.
+   * axis; straight up by the same where the part is in the way. `room`: how far it may lean. In a bore it rises to the start point at most.
    */
   leave(by: number, towards: 1 | -1, part: Envelope, value: number, purpose: Purpose, room = by): void {
-    const leaning = { u: this.at.u + towards * Math.max(0, Math.min(by, room)), v: this.at.v + by };
-    this.feed(by > 0 && staysAbove(part, leaning, this.at) ? leaning : { u: this.at.u, v: this.at.v + by }, value, purpose);
+    const isBore = !this.frame.transverse && this.frame.signV < 0;
+    const lift = isBore ? Math.max(0, Math.min(by, this.ceiling - this.at.v)) : by;
+    const leaning = this.inside({ u: this.at.u + towards * Math.max(0, Math.min(lift, room)), v: this.at.v + lift });
+    this.feed(lift > 0 && staysAbove(part, leaning, this.at) ? leaning : { u: this.at.u, v: this.at.v + lift }, value, purpose);
   }
 }

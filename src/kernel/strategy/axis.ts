@@ -1,0 +1,120 @@
+import { flat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { noseReach } from "../insert.ts";
+import type { Bound } from "../reach.ts";
+import { ROUND, SAME } from "../tolerance.ts";
+import type { Tool } from "../tool.ts";
+
+/*
+ * The work turns about the axis: beyond it stands the mirror image of what stands on this side, and a cylinder of no radius is nothing.
+ * What bounds a tool there is decided here for every strategy (decision "The axis").
+ */
+
+/** Longer than any part is thick, mm. */
+const DEEP = 5000;
+
+/** A contour as it bounds a tool, and what bounds it beyond an end that lies on the axis (null: the end lies elsewhere). */
+export interface TurnedChain {
+  readonly chain: readonly Bound[];
+  /** The elements that the ends of a path along the contour touch. */
+  readonly ends: readonly [FlatSegment, FlatSegment];
+  readonly front: readonly Bound[] | null;
+  readonly back: readonly Bound[] | null;
+}
+
+const radiusOf = (frame: Frame, p: Flat): number => toPart(frame, p).r;
+
+/** A cylinder round the axis that has no radius, or a negative one. */
+function isBare({ segment: { kind, from, to } }: Bound, frame: Frame): boolean {
+  const [a, b] = [radiusOf(frame, from), radiusOf(frame, to)];
+  return kind === "line" && a <= SAME && Math.abs(a - b) <= SAME;
+}
+
+/** A contour in machining direction with what stands round the axis. */
+export function aroundAxis(contour: readonly Bound[], frame: Frame): TurnedChain {
+  if (frame.transverse) return acrossAxis(contour, frame);
+  const [first, last] = [(contour[0] as Bound).segment, (contour.at(-1) as Bound).segment];
+  // From inside nothing is cut on the far side of the axis.
+  if (frame.signV < 0) return { chain: contour, ends: [first, last], front: null, back: null };
+  const nothing = (p: Flat) => (radiusOf(frame, p) <= SAME ? [] : null);
+  return { chain: contour.flatMap((b) => (isBare(b, frame) ? trench(b) : [b])), ends: [first, last], front: nothing(first.from),
+    back: nothing(last.to) };
+}
+
+/** Along the axis nothing stands where a contour runs on it. */
+function trench({ segment: { from, to }, on }: Bound): Bound[] {
+  const low = (p: Flat): Flat => ({ u: p.u, v: p.v - DEEP });
+  const line = (a: Flat, b: Flat): Bound => ({ segment: { kind: "line", from: a, to: b }, on });
+  return [line(from, low(from)), line(low(from), low(to)), line(low(to), to)];
+}
+
+/** Across the axis: the contour up to it, and its mirror image. */
+function acrossAxis(contour: readonly Bound[], frame: Frame): TurnedChain {
+  const solid = [...contour];
+  while (solid.length > 1 && isBare(solid.at(-1) as Bound, frame)) solid.pop();
+  while (solid.length > 1 && isBare(solid[0] as Bound, frame)) solid.shift();
+  const ends = [(solid[0] as Bound).segment, (solid.at(-1) as Bound).segment] as const;
+  const meets = (p: Flat) => radiusOf(frame, p) <= SAME;
+  // Towards the axis the contour ends there, away from it it begins there.
+  if (frame.signU < 0 && meets(ends[1].to)) {
+    const [chain, back] = joinedAtAxis(upToAxis(solid, frame));
+    return { chain, ends, front: null, back: [...back, level((back.at(-1) ?? chain.at(-1) as Bound).segment.to, 1)] };
+  }
+  if (frame.signU > 0 && meets(ends[0].from)) {
+    // The other way round it is the same, seen from the far side.
+    const [back, chain] = joinedAtAxis(upToAxis(solid.map(reversed).reverse(), frame).map((b) => mirrored(reversed(b))));
+    return { chain, ends, front: [reversed(level((back[0] as Bound).segment.from, -1)), ...back], back: null };
+  }
+  return { chain: solid, ends, front: null, back: null };
+}
+
+/** A chain up to the axis and its mirror image behind it; a face that both share is one. */
+function joinedAtAxis(chain: readonly Bound[]): readonly [Bound[], Bound[]] {
+  const image = chain.map(mirrored).reverse();
+  const [last, next] = [chain.at(-1) as Bound, image[0] as Bound];
+  const isFace = last.segment.kind === "line" && Math.abs(last.segment.from.v - last.segment.to.v) <= ROUND;
+  if (!isFace) return [[...chain], image];
+  return [[...chain.slice(0, -1), { ...last, segment: { ...last.segment, to: next.segment.to } }], image.slice(1)];
+}
+
+/** What runs on from a place at its height, away from the axis. */
+const level = (p: Flat, way: 1 | -1): Bound => ({ segment: { kind: "line", from: p, to: { u: p.u + way * DEEP, v: p.v } }, on: "edge" });
+
+const reversed = (b: Bound): Bound => ({ ...b, segment: flat.reversed(b.segment) });
+
+/** The mirror image of an element beyond the axis, run the other way: it turns as the element does. */
+function mirrored({ segment: s, on }: Bound): Bound {
+  const image = ({ u, v }: Flat): Flat => ({ u: -u, v });
+  const ends = { from: image(s.to), to: image(s.from) };
+  return { segment: s.kind === "line" ? { kind: "line", ...ends } : { ...s, ...ends, centre: image(s.centre) }, on };
+}
+
+/** What of a chain that runs to the axis lies on this side of it. */
+function upToAxis(chain: readonly Bound[], frame: Frame): Bound[] {
+  const out = [...chain];
+  while (out.length > 1 && radiusOf(frame, (out.at(-1) as Bound).segment.from) <= SAME) out.pop();
+  const last = out.at(-1) as Bound;
+  if (radiusOf(frame, last.segment.to) < -ROUND) out[out.length - 1] = { ...last, segment: cutAtAxis(last.segment, frame) };
+  return out;
+}
+
+/** An element that crosses the axis, up to there. */
+function cutAtAxis(s: FlatSegment, frame: Frame): FlatSegment {
+  const on = flat.pointsOn(s);
+  let [near, beyond] = [0, 1];
+  // Halving the way finds the axis on lines and arcs alike.
+  while (beyond - near > ROUND) {
+    const middle = (near + beyond) / 2;
+    if (radiusOf(frame, on(middle)) > 0) near = middle;
+    else beyond = middle;
+  }
+  return { ...s, to: { u: 0, v: on(beyond).v } };
+}
+
+/**
+ * How far the tip may pass the axis, mm: the cut ends when the centre of the nose stands on it, and a contour that is drawn beyond it is
+ * followed.
+ */
+export function beyondAxis(tool: Tool, contour: readonly FlatSegment[], frame: Frame): number {
+  const least = Math.min(...contour.flatMap(({ from, to }) => [radiusOf(frame, from), radiusOf(frame, to)]));
+  return least < SAME ? Math.max(0, -least) + noseReach(tool) : 0;
+}
