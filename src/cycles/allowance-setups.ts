@@ -10,8 +10,10 @@ import { dice, type Draw, type Setups } from "./drawn-setup.ts";
 const { box, common, half, mm, mostly } = dice;
 
 /** Two to six stretches along the axis that step, lean and bulge either way, with corners between them. */
-function drawnProfile(draw: Draw, along: 1 | -1): Segment[] | null {
-  let here = at(mm(draw, -3, 3), half(draw, 14, 30));
+function drawnProfile(draw: Draw, along: 1 | -1, out: 1 | -1): Segment[] | null {
+  const usual = half(draw, 14, 30);
+  // Now and then the face in front belongs to the contour, from the axis.
+  let here = at(mm(draw, -3, 3), out > 0 ? mostly(draw, usual, draw.one(0, -0.8)) : usual);
   const made: ContourElement[] = [{ kind: "line", to: here }];
   const count = draw.whole(2, 6);
   for (let i = 1; i <= count; i += 1) {
@@ -52,7 +54,7 @@ const isPlain = (ring: Ring): boolean => ring.length > 2 && Math.abs(areaOf(unio
 /** Set-ups of the contour-parallel cycle: outside and inside, towards −Z and +Z, of a casting or of a bar. */
 export const allowanceSetups: Setups = (draw) => {
   const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
-  const contour = drawnProfile(draw, along);
+  const contour = drawnProfile(draw, along, out);
   if (!contour) return null;
   const rs = contour.flatMap((s) => {
     const b = part.boxOf(s);

@@ -1,7 +1,7 @@
 import { contourFrom, type ContourElement } from "../kernel/contour.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
 import type { TipOrientation } from "../kernel/tool.ts";
-import { inDegrees, radius, rounded, toDiameter } from "../kernel/units.ts";
+import { inDegrees, radians, radius, rounded, toDiameter } from "../kernel/units.ts";
 
 /** Numbers by chance, for set-ups that nobody thought of. Whoever asks for a set-up brings the dice: nothing here rolls any. */
 export interface Draw {
@@ -65,23 +65,44 @@ const tipOf = (out: 1 | -1, along: 1 | -1): TipOrientation => (out > 0 ? (along 
 /** Where a button points that cuts along the axis, or across it. */
 const squareTip = (out: 1 | -1, along: 1 | -1, transverse: boolean): TipOrientation => transverse ? (along > 0 ? 8 : 4) : out > 0 ? 2 : 6;
 
-/** Set-ups of the shoulder cycles: outside and inside, towards −Z and +Z. */
+/** An end on the axis, or beyond it as a setter types it, mm of diameter. */
+const atAxis = (draw: Draw) => draw.one(0, 0, -1.6, -0.4);
+/** An angle of a wall, now and then one of the whole degrees that flanks of inserts have as well. */
+const wallAngle = (draw: Draw, max: number) => draw.one(0, angle(draw, max), draw.whole(0, max));
+
+/** Less than what a control keeps, mm: on either side of it a depth is a whole number of infeeds, or not. */
+const HAIR = 1e-4;
+
+/** Now and then an infeed that goes into a depth as often as it can, to a hair. */
+function infeedInto(draw: Draw, depth: number, usual: number): number {
+  const exact = (depth + draw.one(0, HAIR, -HAIR)) / draw.whole(1, 7);
+  return mostly(draw, usual, exact > 0.3 ? exact : usual);
+}
+
+/** Set-ups of the shoulder cycles: outside and inside, towards −Z and +Z, now and then up to the axis and past it. */
 const boxSetups = (transverse: boolean): Setups => (draw) => {
   const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
-  const [r1, z1, T] = [half(draw, 20, 50), mm(draw, -5, 5), transverse ? draw.one(15, 1, 2, 11) : draw.one(1, 2, 4, 11)];
+  const [r, z1, T] = [half(draw, 20, 50), mm(draw, -5, 5), transverse ? draw.one(15, 1, 2, 11) : draw.one(1, 2, 4, 11)];
   const z2 = rounded(z1 - along * (transverse ? mm(draw, 1, 25) : mm(draw, 3, 70)));
   const deep = transverse ? mm(draw, 4, 38) : mm(draw, 2, 30);
   const [over, before] = [draw.one(0, mm(draw, -2, 6)), mm(draw, 0, 8)];
+  const axis = mostly(draw, null, atAxis(draw));
+  // Away from the axis a face begins there.
+  const r1 = axis !== null && transverse && out < 0 ? radius(axis / 2) : r;
+  const Q493 = axis !== null && out > 0 ? axis : rounded(toDiameter(r) - out * deep);
+  const usual = common(draw);
+  const depth = transverse ? Math.abs(z2 - z1) + Math.max(0, over) : Math.abs(r - Math.max(0, Q493) / 2) + Math.max(0, over);
   return {
     values: {
-      ...common(draw),
+      ...usual,
       ...elements(draw),
-      Q495: draw.one(0, angle(draw, 20)),
-      Q496: draw.one(0, angle(draw, 30)),
+      Q463: infeedInto(draw, depth, usual.Q463),
+      Q495: wallAngle(draw, 20),
+      Q496: wallAngle(draw, 30),
       Q506: draw.one(0, 1, 2),
       Q491: toDiameter(r1),
       Q492: z1,
-      Q493: rounded(toDiameter(r1) - out * deep),
+      Q493,
       Q494: z2,
     },
     contour: null,
@@ -103,11 +124,13 @@ export const plungeSetups = (transverse: boolean): Setups => (draw) => {
   // A flank that takes three quarters of the width at the most.
   const steepest = Math.min(85, Math.floor(inDegrees(Math.atan2(0.75 * wide, deep))));
   const [over, before, room] = [draw.one(0, mm(draw, 0, 6)), mm(draw, 0, 8), mm(draw, 1, 9)];
+  const usual = common(draw);
   return {
     values: {
-      ...common(draw),
+      ...usual,
       ...elements(draw),
-      Q495: draw.one(steepest, angle(draw, steepest)),
+      Q463: infeedInto(draw, deep + over, usual.Q463),
+      Q495: draw.one(steepest, wallAngle(draw, steepest)),
       Q496: draw.one(0, angle(draw, 10)),
       Q506: draw.one(0, 1, 2),
       Q491: toDiameter(r1),
@@ -147,7 +170,10 @@ function drawnContour(draw: Draw, place: (on: number, up: number) => Pt, toAxis:
   let [here, on, up] = [first, 0, 0];
   for (let i = 1; i <= count; i += 1) {
     const step = draw.one(mm(draw, 0.5, 6), mm(draw, 0.5, 6), 0);
-    const rise = mm(draw, -6, 6);
+    const usual = mm(draw, -6, 6);
+    // Whole degrees, as flanks of inserts have them too.
+    const degrees = mostly(draw, null, draw.whole(-60, 60));
+    const rise = degrees === null || step === 0 ? usual : rounded(step * Math.tan(radians(degrees)));
     [on, up] = [rounded(on + step), rounded(up + (step === 0 ? Math.abs(rise) + 0.5 : rise))];
     const to = place(on, up);
     const chord = part.apart(here, to);
@@ -159,7 +185,8 @@ function drawnContour(draw: Draw, place: (on: number, up: number) => Pt, toAxis:
     if (corner !== "none" && i < count) made.push({ kind: corner, size: mm(draw, 0.2, 1.5) });
   }
   const last = mostly(draw, null, draw.one(null, 0, -0.8, -0.4));
-  if (last !== null && toAxis) made.push({ kind: "line", to: at(here.z, last) });
+  // Square to the axis, or as a cone or a dish.
+  if (last !== null && toAxis) made.push({ kind: "line", to: at(rounded(here.z + mostly(draw, 0, mm(draw, -4, 4))), last) });
   return made;
 }
 
@@ -193,11 +220,16 @@ function freeAcross(draw: Draw): Free {
 /** Along the axis towards −Z or +Z, a shaft or a bore. */
 function freeAlong(draw: Draw): Free {
   const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
+  // Now and then the face in front belongs to the contour, from the axis.
+  const face = out > 0 ? mostly(draw, null, draw.one(0, 0, -0.8)) : null;
   const first = at(mm(draw, -5, 5), mm(draw, 20, 45));
   const T = draw.one(2, 1, 3, 11);
   const [over, before] = [mm(draw, 0, 3), draw.one(0, mm(draw, 0, 3))];
   return {
-    place: (on, up) => at(rounded(first.z - along * on), Math.max(0.5, rounded(first.r + out * up))),
+    place: (on, up) =>
+      face !== null && on === 0 && up === 0
+        ? at(first.z, face)
+        : at(rounded(first.z - along * on), Math.max(0.5, rounded(first.r + out * up))),
     toAxis: false,
     tool: { T, TO: T === 11 ? squareTip(out, along, false) : tipOf(out, along) },
     round(points) {

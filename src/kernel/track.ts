@@ -26,13 +26,6 @@ export function roomOf(f: Frame, beyond = 0): Room {
   return { minU: lowU, maxU: highU, minV: lowV, maxV: highV };
 }
 
-/** In a bore no way leads nearer to the axis than the place nearest to it that is named; `nearest`: the named places. */
-export function roomInside(room: Room, f: Frame, nearest: readonly Flat[]): Room {
-  if (!f.transverse && f.signV < 0) return { ...room, maxV: Math.min(room.maxV, Math.max(...nearest.map((p) => p.v))) };
-  if (f.transverse && f.signU > 0) return { ...room, minU: Math.max(room.minU, Math.min(...nearest.map((p) => p.u))) };
-  return room;
-}
-
 /** Moves shorter than this are rounding, mm. */
 const STILL = 2e-6;
 
@@ -109,8 +102,7 @@ export class Track {
     });
   }
 
-  /** The place where the tip may be that is next to a point. */
-  inside(p: Flat): Flat {
+  private inside(p: Flat): Flat {
     const r = this.room;
     return { u: Math.min(Math.max(p.u, r.minU), r.maxU), v: Math.min(Math.max(p.v, r.minV), r.maxV) };
   }

@@ -2,6 +2,7 @@ import type { Cycle } from "../../src/cycles/define.ts";
 import type { Plan } from "../../src/kernel/plan.ts";
 import { areaOf as polygonArea } from "../../src/kernel/area.ts";
 import { difference, intersection, offset } from "../../src/kernel/clip.ts";
+import { areaOutside } from "../../src/kernel/real-area.ts";
 import { at, part } from "../../src/kernel/point.ts";
 import type { Simulation } from "../../src/sim/simulation.ts";
 import { areaOf, common, each, filled, grown, without, withoutCrumbs, type Field, type Grid } from "../judge/field.ts";
@@ -69,12 +70,17 @@ const partStaysWhole: CutLaw = (w) => {
   return ours > REAL || theirs > REAL ? `gouge ${mm2(theirs)}, by columns ${mm2(ours)}` : null;
 };
 
+/** A path does not hang on BLK FORM: where the blank stands higher than the start point, or in front of the contour, it is not looked at. */
+const standsBeside = ({ cycle, situation: { blank }, plans: [plan] }: Worked) =>
+  (cycle.group === "longitudinal" || cycle.group === "transverse") && plan !== undefined
+  && areaOutside(blank, [plan.area, plan.part]) > REAL;
+
 /**
  * Rapids touch nothing, unless the tool stood in the material when it was called. Finishing alone does not know what steps roughing has
  * left, so it is not held to this.
  */
 const rapidsAreFree: CutLaw = (w) => {
-  if (w.plans.length > 1 || w.verdicts.some((v) => v.inside)) return null;
+  if (w.plans.length > 1 || w.verdicts.some((v) => v.inside) || standsBeside(w)) return null;
   const [ours, theirs] = [most(w, (v) => sumOf(v, "rapid")), w.simulation.proof.rapidInStock];
   return ours > REAL || theirs > REAL ? `rapid in stock ${mm2(theirs)}, by columns ${mm2(ours)}` : null;
 };
@@ -167,8 +173,11 @@ const oversizeStays: CutLaw = ({ plans: [plan], situation: { values, blank }, si
   if (simulation.proof.operations[0]?.startInMaterial) return null;
   const cut = difference(blank, simulation.final);
   const [dz, dr] = [values["Q484"] ?? 0, (values["Q483"] ?? 0) / 2];
+  // Beyond the axis there is no part that could keep any.
+  const far = 1e4;
+  const solid = intersection([plan.part], [[at(-far, 0), at(far, 0), at(far, far), at(-far, far)]]);
   for (const [z, r] of [[dz, 0], [-dz, 0], [0, dr], [0, -dr]] as const) {
-    const moved = offset([plan.part.map((p) => at(p.z + z, p.r + r))], -0.004);
+    const moved = offset(solid.map((ring) => ring.map((p) => at(p.z + z, p.r + r))), -0.004);
     const taken = polygonArea(intersection(intersection(cut, moved), offset([plan.area], -0.004)));
     if (taken > REAL) return `${mm2(taken)} of the oversize are cut`;
   }
@@ -212,6 +221,21 @@ const LIMIT = 0.2;
 const across = (along: "z" | "r", a: number, b: number, c: number, d: number): P[] =>
   [[a, c], [b, c], [b, d], [a, d]].map(([p = 0, q = 0]) => (along === "z" ? { z: p, r: q } : { z: q, r: p }));
 
+/** What stays on the axis of a face, mm² that are no matter and the radius within which it is looked for. */
+const [PIP, NEAR] = [0.01, 0.3];
+
+/** A face that ends on the axis or beyond it is clean: no pip stays there. */
+const facesAreClean: CutLaw = ({ plans, simulation, situation: { values } }) => {
+  const plan = plans.at(-1) as Plan;
+  const isFinished = (values["Q215"] ?? 0) === 0 || values["Q215"] === 2;
+  const face = plan.contour.find(({ kind, from, to }) => kind === "line" && Math.abs(from.z - to.z) < PIP && Math.min(from.r, to.r) <= 0);
+  if (!face || !isFinished || plan.moves.length === 0 || values["Q479"] === 1) return null;
+  if (plan.openSide.r < 0 || plan.issues.some((i) => i.code === "angleNotFollowed")) return null;
+  const [z0, z1] = [Math.min(...plan.area.map((p) => p.z)), Math.max(...plan.area.map((p) => p.z))];
+  const pip = intersection(intersection(simulation.final, [plan.area]), [[at(z0, 0), at(z1, 0), at(z1, NEAR), at(z0, NEAR)]]);
+  return polygonArea(pip) > PIP ? `a pip of ${mm2(polygonArea(pip))} stays on the axis` : null;
+};
+
 /** By name, so that a case on file says which of them it broke. */
 export const cutLaws: Readonly<Record<string, CutLaw>> = {
   partStaysWhole,
@@ -223,6 +247,7 @@ export const cutLaws: Readonly<Record<string, CutLaw>> = {
   nothingReachableStays,
   oversizeStays,
   limitsHoldOrAreTold,
+  facesAreClean,
 };
 
 /** Every law that a situation breaks, with what it says. */

@@ -1,7 +1,7 @@
 import type { Cycle } from "../../src/cycles/define.ts";
 import type { Move } from "../../src/kernel/move.ts";
 import type { Plan } from "../../src/kernel/plan.ts";
-import { at, type Pt, type Ring } from "../../src/kernel/point.ts";
+import { at, part, type Pt, type Ring } from "../../src/kernel/point.ts";
 import { SAME } from "../../src/kernel/tolerance.ts";
 import type { TipOrientation } from "../../src/kernel/tool.ts";
 import type { Finding, Situation } from "./situation.ts";
@@ -122,6 +122,29 @@ const turnsRound: PlanLaw = (cycle, s, plan) => {
   return codes === others ? null : `turned round, it says ${others || "nothing"} instead of ${codes || "nothing"}`;
 };
 
+/** Turning along the axis and across it. */
+const isTurning = (cycle: Cycle) => cycle.group === "longitudinal" || cycle.group === "transverse";
+
+/** Only a blank that is traced changes a path: what BLK FORM says is no matter. */
+const blankIsNoMatter: PlanLaw = (cycle, s, plan) => {
+  if (!isTurning(cycle)) return null;
+  const elsewhere = s.blank.map((r) => r.map((p) => at(p.z + 3, p.r + 2)));
+  const other = planOf(cycle, { ...s, blank: elsewhere });
+  const [ours, theirs] = [plan, other].map((p) => JSON.stringify(p.moves)) as [string, string];
+  return ours === theirs ? null : "another blank makes another path";
+};
+
+/** In a bore no way leads nearer to the axis than start point and contour, but for the passes over an allowance. */
+const boreStaysClear: PlanLaw = (cycle, s, plan) => {
+  // The tip of a button that lies beside the cut is its middle, and comes nearer by the radius.
+  if (cycle.group !== "longitudinal" || plan.openSide.r >= 0 || plan.moves.length === 0 || ![5, 6, 7].includes(s.tool.TO)) return null;
+  const started = plan.moves.flatMap((m) => (m.step === 0 ? [m.to.r] : []));
+  const contour = plan.contour.flatMap((e) => part.flattened(e, 0.01).map((p) => p.r - (plan.oversize?.r ?? 0) - (s.values["Q485"] ?? 0)));
+  const least = Math.min(s.start.r, ...started, ...contour) - SAME;
+  const nearest = Math.min(...plan.moves.map((m) => m.to.r));
+  return nearest < least ? `a way comes to R ${nearest}, where R ${least} is the least` : null;
+};
+
 /** By name, so that a case on file says which of them it broke. */
 export const planLaws: Readonly<Record<string, PlanLaw>> = {
   infeedsAreEven,
@@ -130,6 +153,8 @@ export const planLaws: Readonly<Record<string, PlanLaw>> = {
   pathIsBounded,
   divisionsAreExact,
   turnsRound,
+  blankIsNoMatter,
+  boreStaysClear,
 };
 
 /** Every law of the path that a situation breaks, with what it says. */

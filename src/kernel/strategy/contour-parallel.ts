@@ -6,7 +6,7 @@ import { tracedStock, type Plan, type Setting } from "../plan.ts";
 import type { Segment } from "../point.ts";
 import type { Bound } from "../reach.ts";
 import { SAME } from "../tolerance.ts";
-import { roomInside, roomOf } from "../track.ts";
+import { roomOf } from "../track.ts";
 import { length, toDiameter } from "../units.ts";
 import { clearAcross } from "./across.ts";
 import { beyondAxis } from "./axis.ts";
@@ -14,7 +14,7 @@ import type { Feeds } from "./feeds.ts";
 import { followContour, type Finish } from "./finish.ts";
 import { unfit } from "./fit.ts";
 import { atCall, Frontier } from "./frontier.ts";
-import { groundOver, insertIn, insidePart, leadOf, reachedBy, reachOf, startInPart, type Ground, type Surroundings } from "./ground.ts";
+import { groundOver, insertIn, insidePart, leadOf, reachOf, startInPart, type Ground, type Surroundings } from "./ground.ts";
 import { limitedInfeed } from "./infeed.ts";
 import { keptOver } from "./kept.ts";
 import { empty, TURNING } from "./leveled.ts";
@@ -76,14 +76,14 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
   const kept = over(0);
   const blank = groundOver(bounds, tool, l.frame, { u: 0, v: 0, round: l.allowance }, AROUND);
   const stands = atCall({ stock: tracedStock(setting), area: sketch.area.map((p) => toFlat(l.frame, p)), frame: l.frame, insert }, drawn.bare,
-    l.operation > 1 ? { grown: kept.bare, infeed: l.infeed } : null);
+    l.operation > 1 ? { grown: kept.bare, infeed: Math.min(l.infeed, l.allowance) } : null);
   const first = (contour[0] as FlatSegment).from;
   const start = startOf(l, called, { u: first.u - lead - l.clearance, behind: first.u }, blank);
   if (start.v > called.v || inAllowance(called, blank))
     issues.push(issue("startInArea", "warning", { x: toDiameter(setting.start.r), z: setting.start.z }, "start"));
   else if (start.u < called.u)
     issues.push(issue("startBehindContour", "info", { behind: called.u - first.u, clearance: l.clearance }, "startU"));
-  const room = roomInside(roomOf(l.frame, beyondAxis(tool, contour, l.frame)), l.frame, [called, start, ...reachedBy(blank)]);
+  const room = roomOf(l.frame, beyondAxis(tool, contour, l.frame));
   const cutter = new Cutter(l.frame, setting.feedUnit, called, room, new Frontier(stands, insert), Math.max(called.v, start.v));
   back(cutter, start, l, l.operation > 1 ? "finish" : "rough", 0);
 

@@ -1,6 +1,6 @@
 import { extent, type Convex } from "../convex.ts";
 import { aboveBy, besideAt, loweredBy, pieceOf, raised } from "../cut-envelope.ts";
-import { highest, higherOf, type Envelope, type EnvelopePiece, type Interval, type Origin } from "../envelope.ts";
+import { highest, higherOf, linePiece, type Envelope, type EnvelopePiece, type Interval, type Origin } from "../envelope.ts";
 import { toFlat, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import type { Ring } from "../point.ts";
 import { reachOver, type Bound } from "../reach.ts";
@@ -150,16 +150,20 @@ function outlineChain(points: readonly Flat[]): FlatSegment[] {
 /**
  * The frontier at the call of a cycle: the part under the blank. Where earlier cuts have changed the blank nobody knows how:
  * then roughing takes the area (`area`, corners in strategy space) to be full, and finishing expects what roughing with the
- * same values leaves, which is the contour grown by the oversize and at the most one infeed.
+ * same values leaves, which is the contour grown by the oversize and at the most one infeed, up to the height (`top`) that roughing
+ * begins at.
  */
 export function atCall(
   o: { readonly stock: readonly Ring[] | null; readonly area: readonly Flat[]; readonly frame: Frame; readonly insert: Convex },
   part: Envelope,
-  roughed: { readonly grown: Envelope; readonly infeed: number } | null,
+  roughed: { readonly grown: Envelope; readonly infeed: number; readonly top?: number } | null,
 ): Envelope {
   if (o.stock === null && roughed) {
     const us = o.area.map((p) => p.u);
-    return higherOf(higherOf(part, roughed.grown), raised(roughed.grown, Math.min(...us), Math.max(...us), roughed.infeed));
+    const [from, to] = [Math.min(...us), Math.max(...us)];
+    const left = raised(roughed.grown, from, to, roughed.infeed);
+    const most = roughed.top === undefined ? null : linePiece({ u: from, v: roughed.top }, { u: to, v: roughed.top }, CUT);
+    return higherOf(higherOf(part, roughed.grown), most ? loweredBy(left, [most], Infinity) : left);
   }
   const rings = o.stock === null ? [o.area] : o.stock.map((ring) => ring.map((p) => toFlat(o.frame, p)));
   // The work turns: an insert that is past the axis meets the material of the other side there.

@@ -141,9 +141,6 @@ export function reachOf(g: Ground, u0: number, u1: number, frame: Frame, tool: T
   return pathAlong(g.envelope, u0, u1).map((s) => ({ path: segmentToPart(frame, s.segment), reason: reasonOf(s.origin, tool) }));
 }
 
-/** The ends of the finishing path over a ground. */
-export const reachedBy = ({ start, end, first }: Ground): readonly Flat[] => [start, { u: first, v: start.v }, end];
-
 /** What keeps the insert from going deeper; where a side behind a cutting edge does, that edge is too short. */
 function reasonOf(o: Origin | null, tool: Tool): Reason | null {
   if (o === null) return null;

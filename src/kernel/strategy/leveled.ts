@@ -9,7 +9,7 @@ import { at, type Segment } from "../point.ts";
 import type { Bound } from "../reach.ts";
 import { SAME } from "../tolerance.ts";
 import type { ToolType } from "../tool.ts";
-import { roomInside, roomOf } from "../track.ts";
+import { roomOf } from "../track.ts";
 import { length, radius, toDiameter } from "../units.ts";
 import { clearAcross } from "./across.ts";
 import { beyondAxis } from "./axis.ts";
@@ -17,7 +17,7 @@ import type { Feeds } from "./feeds.ts";
 import { followContour } from "./finish.ts";
 import { unfit } from "./fit.ts";
 import { atCall, Frontier } from "./frontier.ts";
-import { FAR, groundOver, insertIn, insidePart, leadOf, reachedBy, reachOf, startInPart, type Surroundings } from "./ground.ts";
+import { FAR, groundOver, insertIn, insidePart, leadOf, reachOf, startInPart, type Surroundings } from "./ground.ts";
 import { divide, limitedInfeed, type Division } from "./infeed.ts";
 import { countedAnew, roughByLevels } from "./levels.ts";
 import { limitsInPart, limitsOf } from "./limits.ts";
@@ -113,7 +113,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const over = toFinishOver(site, limits.floor);
   const drawn = groundOver(bounds, tool, l.frame, NOTHING, over);
   const start = startOf(l, site, setting);
-  const room = roomInside(roomOf(l.frame, beyondAxis(tool, flat, l.frame)), l.frame, [called, start, ...reachedBy(drawn)]);
+  const room = roomOf(l.frame, beyondAxis(tool, flat, l.frame));
   if (insidePart(drawn, called)) return { ...sketch, issues: [...issues, startInPart(workingStart(l, site))] };
   const top = Math.max(start.v, site.outer);
   // Nothing stands beyond the axis: there the area is open.
@@ -125,9 +125,9 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   // The contour grown by the oversize is wanted only where something follows it, or where roughing has run before.
   const grown = l.operation > 1 || l.smoothing === 1 ? groundOver(bounds, tool, l.frame, keep, over) : drawn;
   const stands = atCall({ stock: tracedStock(setting), area: areaCorners(site, top), frame: l.frame, insert }, drawn.bare,
-    l.operation > 1 ? { grown: grown.bare, infeed: l.infeed } : null);
+    l.operation > 1 ? { grown: grown.bare, infeed: l.infeed, top } : null);
   const cutter = new Cutter(l.frame, setting.feedUnit, called, room, new Frontier(stands, insert, limits.ceiling),
-    Math.max(called.v, start.v));
+    Math.max(called.v, l.frame.transverse || l.frame.signV > 0 ? start.v : top), l.frame.transverse && l.frame.signU > 0 ? called.u : undefined);
   place(cutter, l, site, start, setting, issues);
 
   const from = Math.max(start.u, limits.from, room.minU);
@@ -137,7 +137,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     contour: flat,
     start,
     clearance: l.clearance,
-    runOut: wall === null ? null : last.to.v + keep.v,
+    runOut: wall === null ? null : cutter.inBore({ u: last.to.u, v: last.to.v + keep.v }).v,
     feeds: l.feeds,
     from,
     to,

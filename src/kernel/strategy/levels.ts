@@ -136,13 +136,13 @@ function lift(cutter: Cutter, l: Levels, { pass, valley, limit, outer }: Cut) {
     const up = highest(l.envelope, valley.to, Math.max(valley.to, limit));
     const end = up.v > previous - ROUND ? riseTo(l.envelope, valley.to, limit, previous) : up.u;
     cutter.along(pathAlong(l.envelope, valley.to, end).map((s) => s.segment), () => ({ feed: l.feeds.rough, purpose: p }));
-    cutter.feed({ u: end, v: previous }, l.feeds.rough, p);
-    cutter.feed({ u: end, v: previous + l.infeed }, l.feeds.rough, p);
+    cutter.feed(cutter.inBore({ u: end, v: previous }), l.feeds.rough, p);
+    cutter.feed(cutter.inBore({ u: end, v: previous + l.infeed }), l.feeds.rough, p);
     return;
   }
   const back = Math.min(l.infeed, valley.to - valley.from);
   cutter.leave(back, -1, l.envelope, l.feeds.rough, p);
-  cutter.feed({ u: cutter.at.u, v: previous }, l.feeds.rough, p);
+  cutter.feed(cutter.inBore({ u: cutter.at.u, v: previous }), l.feeds.rough, p);
   // Too narrow to lean back: straight up first, and back where the valley is wide enough.
   cutter.leave(Math.min(l.infeed - back, cutter.at.u - outer.from), -1, l.envelope, l.feeds.rough, p);
 }

@@ -27,6 +27,8 @@ export class Cutter extends Track {
     readonly frontier: Frontier,
     /** The tool rises no higher than this unless something stands higher. */
     private readonly ceiling: number,
+    /** Across the axis and away from it, in a bore: how near to the axis it leans back. */
+    private readonly nearest = -Infinity,
   ) {
     super(frame, feedUnit, start, room);
   }
@@ -74,12 +76,21 @@ export class Cutter extends Track {
 
   /**
    * Leaves the contour at feed: at 45°, away from the cutting direction (`towards` −1) or along it (1), by `by` mm in either
-   * axis; straight up by the same where the part is in the way. `room`: how far it may lean. In a bore it rises to the start point at most.
+   * axis; straight up by the same where the part is in the way. `room`: how far it may lean.
    */
   leave(by: number, towards: 1 | -1, part: Envelope, value: number, purpose: Purpose, room = by): void {
-    const isBore = !this.frame.transverse && this.frame.signV < 0;
-    const lift = isBore ? Math.max(0, Math.min(by, this.ceiling - this.at.v)) : by;
-    const leaning = this.inside({ u: this.at.u + towards * Math.max(0, Math.min(lift, room)), v: this.at.v + lift });
+    const lift = this.inBore({ u: this.at.u, v: this.at.v + by }).v - this.at.v;
+    const leaning = this.inBore({ u: this.at.u + towards * Math.max(0, Math.min(lift, room)), v: this.at.v + lift });
     this.feed(lift > 0 && staysAbove(part, leaning, this.at) ? leaning : { u: this.at.u, v: this.at.v + lift }, value, purpose);
+  }
+
+  /**
+   * In a bore nothing but a cut leads nearer to the axis than the start point: what stands on the other side meets the insert and its
+   * holder. The place next to a point that keeps to that, and comes no nearer than `cut` does; outside the point itself.
+   */
+  inBore({ u, v }: Flat, cut: Flat = this.at): Flat {
+    const { transverse, signV } = this.frame;
+    if (transverse) return { u: Math.max(u, Math.min(this.nearest, cut.u)), v };
+    return { u, v: signV < 0 ? Math.min(v, Math.max(this.ceiling, cut.v)) : v };
   }
 }
