@@ -229,7 +229,7 @@ const facesAreClean: CutLaw = ({ plans, simulation, situation: { values } }) => 
   const plan = plans.at(-1) as Plan;
   const isFinished = (values["Q215"] ?? 0) === 0 || values["Q215"] === 2;
   const face = plan.contour.find(({ kind, from, to }) => kind === "line" && Math.abs(from.z - to.z) < PIP && Math.min(from.r, to.r) <= 0);
-  if (!face || !isFinished || plan.moves.length === 0 || values["Q479"] === 1) return null;
+  if (!face || !isFinished || plan.moves.length === 0 || values["Q479"] === 1 || values["Q487"] === 0) return null;
   if (plan.openSide.r < 0 || plan.issues.some((i) => i.code === "angleNotFollowed")) return null;
   const [z0, z1] = [Math.min(...plan.area.map((p) => p.z)), Math.max(...plan.area.map((p) => p.z))];
   const pip = intersection(intersection(simulation.final, [plan.area]), [[at(z0, 0), at(z1, 0), at(z1, NEAR), at(z0, NEAR)]]);

@@ -3,8 +3,9 @@ import { boxAround, inBox } from "../box.ts";
 import { intersection } from "../clip.ts";
 import { insertOutline } from "../insert.ts";
 import { issue, type Issue } from "../issue.ts";
+import type { Move } from "../move.ts";
 import type { Plan, Setting } from "../plan.ts";
-import { at, type Pt, type Ring } from "../point.ts";
+import { at, part, type Pt, type Ring } from "../point.ts";
 import { CHORD, SAME } from "../tolerance.ts";
 import { rounded, toDiameter } from "../units.ts";
 
@@ -47,6 +48,10 @@ function sweptAcross(outline: Ring, from: Pt, to: Pt): Ring[] {
   return inBox([hullOf(turned)], { left: -Infinity, right: Infinity, low: 0, high: Infinity });
 }
 
+/** Where a move leads to in straight steps. */
+const waypoints = (from: Pt, m: Move): readonly Pt[] =>
+  m.kind === "arc" ? part.flattened({ kind: "arc", from, to: m.to, centre: m.centre, turn: m.turn }, CHORD).slice(1) : [m.to];
+
 /** A plan without its path, for a reason. */
 const refusedFor = (plan: Plan, found: Issue): Plan => ({ ...plan, moves: [], passes: 0, reach: [], kept: [],
   issues: [...plan.issues, found] });
@@ -65,7 +70,7 @@ export function clearAcross(plan: Plan, setting: Setting, role: "startU" | "star
   if (missing) return refusedFor(plan, missing);
   if (Math.min(start.r, ...plan.moves.map((m) => m.to.r)) + lowest > -SAME) return plan;
   let from = start;
-  for (const { to } of plan.moves) {
+  for (const to of plan.moves.flatMap((m, i) => waypoints(plan.moves[i - 1]?.to ?? start, m))) {
     const across = acrossAt(outline, Math.min(from.r, to.r));
     const [left, right] = [Math.min(from.z, to.z), Math.max(from.z, to.z)];
     const way = [from, to] as const;

@@ -124,7 +124,7 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const kept = groundOver(bounds, tool, l.frame, keep, { ...over, wall, floors });
   // The contour grown by the oversize is wanted only where something follows it, or where roughing has run before.
   const grown = l.operation > 1 || l.smoothing === 1 ? groundOver(bounds, tool, l.frame, keep, over) : drawn;
-  const stands = atCall({ stock: tracedStock(setting), area: areaCorners(site, top), frame: l.frame, insert }, drawn.bare,
+  const stands = atCall({ stock: tracedStock(setting), area: areaCorners(site, top, site.inFront ? Infinity : start.u + leadIn(l, site)), frame: l.frame, insert }, drawn.bare,
     l.operation > 1 ? { grown: grown.bare, infeed: l.infeed, top } : null);
   const cutter = new Cutter(l.frame, setting.feedUnit, called, room, new Frontier(stands, insert, limits.ceiling),
     Math.max(called.v, l.frame.transverse || l.frame.signV > 0 ? start.v : top), l.frame.transverse && l.frame.signU > 0 ? called.u : undefined);
@@ -214,11 +214,11 @@ function deepestLevel(l: Leveled, site: Site, { tool }: Setting, kept: Envelope,
   return Math.max(deepest, lowest(surface.envelope, from, to));
 }
 
-/** The area in front of the contour up to the level of the start point, as corners. */
-function areaCorners(site: Site, top: number): Flat[] {
+/** The area over the contour and in front of it (from `front` on), up to the level of the start point, as corners. */
+function areaCorners(site: Site, top: number, front: number): Flat[] {
   const [first, last] = [site.flat[0] as FlatSegment, site.flat[site.flat.length - 1] as FlatSegment];
-  const [low, high] = [first.from.v - FAR, top + extent(site.insert).minV];
-  return [{ u: first.from.u, v: low }, { u: first.from.u, v: high }, { u: last.to.u, v: high }, { u: last.to.u, v: low }];
+  const [low, high, from] = [first.from.v - FAR, top + extent(site.insert).minV, Math.min(first.from.u, front)];
+  return [{ u: from, v: low }, { u: from, v: high }, { u: last.to.u, v: high }, { u: last.to.u, v: low }];
 }
 
 /** Where the cycle starts from, as the manual places it before step 1: clear of the area, or up to the contour start. */

@@ -7,6 +7,7 @@ import type { Tool, ToolType } from "../tool.ts";
 import { roomOf } from "../track.ts";
 import { length, toDiameter } from "../units.ts";
 import { clearAcross } from "./across.ts";
+import { beyondAxis } from "./axis.ts";
 import { basinsOf, type Basin } from "./basins.ts";
 import { unfit } from "./fit.ts";
 import { groundOver, insertIn, insidePart, startInPart } from "./ground.ts";
@@ -63,7 +64,7 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
   const grown = groundOver(bounds, tool, l.frame, keep, over(false));
   const insert = insertIn(tool, l.frame);
   const frontier = frontierAt(site, setting, insert, { drawn, grown, infeed: SAME, operation: l.operation, ceiling: limits.ceiling });
-  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame), frontier, top + l.clearance);
+  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)), frontier, top + l.clearance);
   const start = { u: called.u, v: top };
   const back = (run: "rough" | "finish", step: number) => {
     const p = { phase: "position", run, step } as const;

@@ -9,6 +9,7 @@ import type { ToolType } from "../tool.ts";
 import { roomOf } from "../track.ts";
 import { length, toDiameter } from "../units.ts";
 import { clearAcross } from "./across.ts";
+import { beyondAxis } from "./axis.ts";
 import type { Feeds } from "./feeds.ts";
 import { unfit } from "./fit.ts";
 import { FAR, type Ground, groundOver, insertIn, insidePart, startInPart } from "./ground.ts";
@@ -77,7 +78,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   };
   const deepestPath = finishedTo(drawn, { u: 0, v: 0 });
   const frontier = frontierAt(site, setting, insert, { drawn, grown, infeed: l.infeed, operation: l.operation, ceiling: limits.ceiling });
-  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame), frontier, top + RECESS_CLEARANCE);
+  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)), frontier, top + RECESS_CLEARANCE);
   const start = { u: called.u, v: top };
   back(cutter, start, l.operation > 1 ? l.feeds.finish : l.feeds.rough, l.operation > 1 ? "finish" : "rough", 0);
 
