@@ -91,13 +91,13 @@ export const rules: readonly Rule[] = [{
   trips: { change: { Q499: "3" } },
   passes: { change: { Q499: "1" } },
 }, {
-  name: "a diameter below the axis",
+  name: "a shoulder beyond the axis",
   cycle: 812,
   code: "diameterNegative",
-  field: "Q493",
+  field: "Q491",
   severity: "error",
-  trips: { change: { Q493: "-10" } },
-  passes: { change: { Q493: "10" } },
+  trips: { change: { Q491: "-5", Q493: "-10" } },
+  passes: { change: { Q493: "-1.6" } },
 }, {
   name: "start equals end in X",
   cycle: 812,

@@ -4,7 +4,7 @@ import { contourFrom, type ContourElement } from "../kernel/contour.ts";
 import { at, part, type Ring, type Segment } from "../kernel/point.ts";
 import { keptOver } from "../kernel/strategy/kept.ts";
 import { CHORD } from "../kernel/tolerance.ts";
-import { rounded } from "../kernel/units.ts";
+import { radius, rounded } from "../kernel/units.ts";
 import { dice, type Draw, type Setups } from "./drawn-setup.ts";
 
 const { box, common, half, mm, mostly } = dice;
@@ -13,7 +13,7 @@ const { box, common, half, mm, mostly } = dice;
 function drawnProfile(draw: Draw, along: 1 | -1, out: 1 | -1): Segment[] | null {
   const usual = half(draw, 14, 30);
   // Now and then the face in front belongs to the contour, from the axis.
-  let here = at(mm(draw, -3, 3), out > 0 ? mostly(draw, usual, draw.one(0, -0.8)) : usual);
+  let here = at(mm(draw, -3, 3), out > 0 ? mostly(draw, usual, draw.one(radius(0), radius(-0.8))) : usual);
   const made: ContourElement[] = [{ kind: "line", to: here }];
   const count = draw.whole(2, 6);
   for (let i = 1; i <= count; i += 1) {

@@ -1,7 +1,7 @@
 import { contourFrom, type ContourElement } from "../kernel/contour.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
 import type { TipOrientation } from "../kernel/tool.ts";
-import { inDegrees, radians, radius, rounded, toDiameter } from "../kernel/units.ts";
+import { diameter, inDegrees, radians, radius, rounded, toDiameter, toRadius } from "../kernel/units.ts";
 
 /** Numbers by chance, for set-ups that nobody thought of. Whoever asks for a set-up brings the dice: nothing here rolls any. */
 export interface Draw {
@@ -88,10 +88,10 @@ const boxSetups = (transverse: boolean): Setups => (draw) => {
   const [over, before] = [draw.one(0, mm(draw, -2, 6)), mm(draw, 0, 8)];
   const axis = mostly(draw, null, atAxis(draw));
   // Away from the axis a face begins there.
-  const r1 = axis !== null && transverse && out < 0 ? radius(axis / 2) : r;
+  const r1 = axis !== null && transverse && out < 0 ? toRadius(diameter(axis)) : r;
   const Q493 = axis !== null && out > 0 ? axis : rounded(toDiameter(r) - out * deep);
   const usual = common(draw);
-  const depth = transverse ? Math.abs(z2 - z1) + Math.max(0, over) : Math.abs(r - Math.max(0, Q493) / 2) + Math.max(0, over);
+  const depth = transverse ? Math.abs(z2 - z1) + Math.max(0, over) : Math.abs(r - toRadius(diameter(Math.max(0, Q493)))) + Math.max(0, over);
   return {
     values: {
       ...usual,

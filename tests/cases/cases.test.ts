@@ -36,6 +36,12 @@ function differences(r: Report, e: Expected): string[] {
   for (const [reason, most] of Object.entries(e.noReason ?? {})) wrong(of(reason) > most, `${of(reason)} mm² stay for ${reason}`);
   const unproved = (proof as { unproved?: readonly { what: string }[] }).unproved ?? [];
   wrong(e.unproved === false && unproved.length > 0, `not proved: ${unproved.map((u) => u.what).join()}`);
+  const pips = proof.residual.filter((p) => p.ring.some(([, radius]) => radius < 0.3));
+  wrong(e.cleanAtAxis === true && pips.length > 0, `${pips.length} places on the axis stay`);
+  const offers = issues.flatMap((i) => Object.entries(i.data ?? {}).flatMap(([key, value]) => (key === "nearest" ? [Number(value)] : [])));
+  wrong(e.offersNoNegative === true && offers.some((offer) => offer < 0), `offers ${offers.join()}`);
+  const nearest = Math.min(...r.operations.flatMap((o) => o.moves.map((m) => m.x)));
+  wrong(e.notNearer !== undefined && !(nearest >= e.notNearer - 0.001), `comes to X${nearest}`);
   return [...out, ...ofMotion(r, e)];
 }
 

@@ -35,6 +35,12 @@ export interface Expected {
   readonly arcInXZ?: Readonly<Record<number, readonly [x: number, z: number]>>;
   /** Motion follows the blocks in order. */
   readonly inOrder?: true;
+  /** Nothing stays on the axis. */
+  readonly cleanAtAxis?: true;
+  /** No motion of an operation comes nearer to the axis than this X. */
+  readonly notNearer?: number;
+  /** No finding offers a value below 0. */
+  readonly offersNoNegative?: true;
   /** Not yet so. */
   readonly pending?: true;
 }
@@ -65,6 +71,7 @@ export const SEVERITY: Readonly<Record<string, "error" | "warning" | "info">> = 
   threadSurfaceSpeed: "warning",
   runInBlocked: "error",
   pitchNotListed: "error",
+  holeMissing: "error",
 };
 
 const clean = { gouge: false, rapidInStock: false } as const;
@@ -172,6 +179,29 @@ export const expected: Readonly<Record<string, Expected>> = {
     has: { startUnknown: 1, notProved: 1 },
     mostErrors: 0,
     verdict: "incomplete",
+  },
+  "axis-821": { says: "a shoulder to X0 is faced clean", ...clean, cleanAtAxis: true },
+  "axis-821-rough": { says: "so it is where nothing finishes it", ...clean, cleanAtAxis: true, hasNot: ["materialLeft"] },
+  "axis-821-past": { says: "a shoulder past the axis is faced clean", ...clean, cleanAtAxis: true, mostErrors: 0, verdict: "proved" },
+  "axis-821-past-rough": { says: "so it is where nothing finishes it", ...clean, cleanAtAxis: true, mostErrors: 0 },
+  "axis-820": { says: "a contour that ends on the axis is faced clean", ...clean, cleanAtAxis: true },
+  "axis-810-from-0": { says: "a contour that begins on the axis leaves no pip", ...clean, cleanAtAxis: true },
+  "lift-inside": { says: "in a bore no lift comes nearer to the axis than the start point", ...clean, notNearer: 27, mostErrors: 0 },
+  "bore-in-solid": {
+    says: "boring where there is no bore is refused for that reason",
+    has: { holeMissing: 1 },
+    mostErrors: 1,
+    offersNoNegative: true,
+    verdict: "faults",
+  },
+  "bore-in-solid-faced": { says: "so it is when the face was turned before", has: { holeMissing: 1 }, mostErrors: 1 },
+  "bore-in-bore": { says: "the bore that is asked for is enough", hasNot: ["holeMissing"], mostErrors: 0 },
+  "blind-bore-too-deep": {
+    says: "a bore that ends before the cycle does is told where it ends",
+    has: { holeMissing: 1 },
+    mostErrors: 1,
+    offersNoNegative: true,
+    verdict: "faults",
   },
   "j10-820-lblbeforeM30": { says: "M30 is missing in front of the label: the cause, once", mostErrors: 1 },
   "r08-820-Q463-tiny": { says: "too many passes, at once", has: { tooManyPasses: true } },

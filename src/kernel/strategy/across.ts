@@ -1,13 +1,14 @@
 import { areaOf } from "../area.ts";
 import { boxAround, inBox } from "../box.ts";
 import { intersection } from "../clip.ts";
+import { holderOutlines, hullOf } from "../holder.ts";
 import { insertOutline } from "../insert.ts";
 import { issue, type Issue } from "../issue.ts";
 import type { Move } from "../move.ts";
 import type { Plan, Setting } from "../plan.ts";
 import { at, part, type Pt, type Ring } from "../point.ts";
 import { CHORD, SAME } from "../tolerance.ts";
-import { rounded, toDiameter } from "../units.ts";
+import { radius, rounded, toDiameter } from "../units.ts";
 
 /** Areas below this are the chords of two curves that touch, mm². */
 const REAL = 0.01;
@@ -30,22 +31,10 @@ function acrossAt(outline: Ring, r: number): { from: number; to: number; reach: 
   return reach > SAME ? { from, to, reach } : null;
 }
 
-/** The convex outline of points, counter-clockwise. */
-function hullOf(points: readonly Pt[]): Pt[] {
-  const sorted = [...points].sort((a, b) => a.z - b.z || a.r - b.r);
-  const chain = (all: readonly Pt[]) =>
-    all.reduce<Pt[]>((out, p) => {
-      const left = (a: Pt, b: Pt) => (b.z - a.z) * (p.r - a.r) - (b.r - a.r) * (p.z - a.z) > 0;
-      while (out.length > 1 && !left(out.at(-2) as Pt, out.at(-1) as Pt)) out.pop();
-      return [...out, p];
-    }, []).slice(0, -1);
-  return [...chain(sorted), ...chain(sorted.reverse())];
-}
-
 /** What a convex outline sweeps on the other side of the axis on a straight way, turned to this side. */
 function sweptAcross(outline: Ring, from: Pt, to: Pt): Ring[] {
-  const turned = [from, to].flatMap((p) => outline.map((q) => at(q.z + p.z, -(q.r + p.r))));
-  return inBox([hullOf(turned)], { left: -Infinity, right: Infinity, low: 0, high: Infinity });
+  const turned = [from, to].flatMap((p) => outline.map((q) => [q.z + p.z, -(q.r + p.r)] as const));
+  return inBox([hullOf(turned).map(([z, r]) => at(z, r))], { left: -Infinity, right: Infinity, low: 0, high: Infinity });
 }
 
 /** Where a move leads to in straight steps. */
@@ -79,9 +68,9 @@ export function clearAcross(plan: Plan, setting: Setting, role: "startU" | "star
     const near = inBox([plan.part], { left: left + across.from, right: right + across.to, low: 0, high: across.reach });
     if (areaOf(near) < REAL || areaOf(intersection(sweptAcross(outline, ...way), near)) < REAL) continue;
     const free = Math.min(...plan.contour.flatMap((s) => [s.from.r, s.to.r]));
-    const x = wholeAbove(-2 * lowest - 2 * free);
+    const x = wholeAbove(toDiameter(radius(-lowest - free)));
     return refusedFor(plan, issue("insertAcrossAxis", "error",
-      x > 0 && x < 2 * free ? { reach: across.reach, nearest: x } : { reach: across.reach }, role));
+      x > 0 && x < toDiameter(radius(free)) ? { reach: across.reach, nearest: x } : { reach: across.reach }, role));
   }
   return plan;
 }
@@ -89,14 +78,14 @@ export function clearAcross(plan: Plan, setting: Setting, role: "startU" | "star
 /** Shorter pieces of a core are the rounding of an outline, mm. */
 const CORE = 0.1;
 
-/** The next diameter above one that a setter would type. */
+/** The next size above one that a setter would type. */
 const wholeAbove = (d: number) => Math.ceil(d - SAME);
 
 /**
  * Where a path inside the work runs into solid material: to the axis, or so near to it that the insert leaves a core for its shank to
  * meet. `lowest`: how far the insert reaches from the tip towards the axis and beyond.
  */
-function boreMissing(plan: Plan, { start, solid }: Setting, lowest: number): Issue | null {
+function boreMissing(plan: Plan, { tool, start, solid }: Setting, lowest: number): Issue | null {
   const cuts = plan.moves.flatMap((m, i) => (m.kind === "rapid" ? [] : [plan.moves[i - 1]?.to ?? start, m.to]));
   if (!solid || cuts.length === 0) return null;
   const zs = cuts.map((p) => p.z);
@@ -105,8 +94,11 @@ function boreMissing(plan: Plan, { start, solid }: Setting, lowest: number): Iss
   for (const high of [SAME, start.r + lowest - SAME]) {
     const core = high > 0 ? boxAround(inBox(solid.rings, { left, right, low: 0, high })) : null;
     if (core === null || !(core.right - core.left > CORE)) continue;
+    const inside = holderOutlines(plan.tool ?? tool).flat().filter((p) => Math.abs(p.z) < right - left);
+    const across = Math.max(-lowest, ...inside.map((p) => -p.r)) - start.r;
+    const need = across > start.r ? radius(wholeAbove(across)) : start.r;
     const [z, to] = start.z > (left + right) / 2 ? [core.right, left] : [core.left, right];
-    return issue("holeMissing", "error", { z: rounded(z), to: rounded(to), need: toDiameter(start.r) }, "start.x");
+    return issue("holeMissing", "error", { z: rounded(z), to: rounded(to), need: toDiameter(need) }, "start.x");
   }
   return null;
 }
