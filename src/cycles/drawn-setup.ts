@@ -99,6 +99,8 @@ const boxSetups = (transverse: boolean): Setups => (draw) => {
       Q463: infeedInto(draw, depth, usual.Q463),
       Q495: wallAngle(draw, 20),
       Q496: wallAngle(draw, 30),
+      // An edge on the axis is none that could be broken, and what is faced there is mostly square.
+      ...(axis !== null && { Q501: 0, Q503: 0, Q495: mostly(draw, 0, wallAngle(draw, 20)), Q496: mostly(draw, 0, wallAngle(draw, 30)) }),
       Q506: draw.one(0, 1, 2),
       Q491: toDiameter(r1),
       Q492: z1,

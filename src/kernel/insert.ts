@@ -39,9 +39,12 @@ export function tipOffset(t: Tool): Flat {
   const [tip, r] = [TIP[t.TO] ?? TIP[9], noseRadius(t)];
   return scaled(tip, r);
 }
-/** How far the tip has passed the axis when the outermost centre of a nose stands on it, mm. */
+/**
+ * How far the tip passes the axis at most until the outermost nose has faced it clean, mm: its centre stands there, or the nose is past it
+ * where an edge keeps it from touching a face with its lowest point.
+ */
 export const noseReach = (t: Tool): number =>
-  insertShape(t).reduce((most, e) => (e.kind === "arc" && e.feature === "nose" ? Math.max(most, e.centre.v) : most), 0);
+  insertShape(t).reduce((most, e) => (e.kind === "arc" && e.feature === "nose" ? Math.max(most, e.centre.v) : most), noseRadius(t));
 /** Length of the cutting edge, mm; undefined when none was entered, for which 0 stands too. */
 export const cutLength = (t: Tool) => (t.CUTLENGTH !== undefined && t.CUTLENGTH > 0 ? t.CUTLENGTH : undefined);
 /** Angle between the flanks of a thread insert, degrees. */

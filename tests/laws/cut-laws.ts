@@ -3,7 +3,7 @@ import type { Plan } from "../../src/kernel/plan.ts";
 import { areaOf as polygonArea } from "../../src/kernel/area.ts";
 import { difference, intersection, offset } from "../../src/kernel/clip.ts";
 import { areaOutside } from "../../src/kernel/real-area.ts";
-import { at, part } from "../../src/kernel/point.ts";
+import { at, part, type Segment } from "../../src/kernel/point.ts";
 import type { Simulation } from "../../src/sim/simulation.ts";
 import { areaOf, common, each, filled, grown, without, withoutCrumbs, type Field, type Grid } from "../judge/field.ts";
 import { heldIn } from "../judge/held.ts";
@@ -221,17 +221,18 @@ const LIMIT = 0.2;
 const across = (along: "z" | "r", a: number, b: number, c: number, d: number): P[] =>
   [[a, c], [b, c], [b, d], [a, d]].map(([p = 0, q = 0]) => (along === "z" ? { z: p, r: q } : { z: q, r: p }));
 
-/** What stays on the axis of a face, mm² that are no matter and the radius within which it is looked for. */
+/** What stays on the axis of a face, mm² that are no matter, and the radius and the height within which it is looked for, mm. */
 const [PIP, NEAR] = [0.01, 0.3];
 
-/** A face that ends on the axis or beyond it is clean: no pip stays there. */
+/** A face that ends on the axis or beyond it is clean: no pip stays on it. What an edge that leans leaves higher up hangs on nothing. */
 const facesAreClean: CutLaw = ({ plans, simulation, situation: { values } }) => {
   const plan = plans.at(-1) as Plan;
   const isFinished = (values["Q215"] ?? 0) === 0 || values["Q215"] === 2;
   const face = plan.contour.find(({ kind, from, to }) => kind === "line" && Math.abs(from.z - to.z) < PIP && Math.min(from.r, to.r) <= 0);
   if (!face || !isFinished || plan.moves.length === 0 || values["Q479"] === 1 || values["Q487"] === 0) return null;
   if (plan.openSide.r < 0 || plan.issues.some((i) => i.code === "angleNotFollowed")) return null;
-  const [z0, z1] = [Math.min(...plan.area.map((p) => p.z)), Math.max(...plan.area.map((p) => p.z))];
+  const out = plan.openSide.z || (plan.contour[0] === face ? Math.sign(face.from.z - (plan.contour.at(-1) as Segment).to.z) : 1);
+  const [z0, z1] = [face.from.z, face.from.z + out * NEAR].sort((a, b) => a - b) as [number, number];
   const pip = intersection(intersection(simulation.final, [plan.area]), [[at(z0, 0), at(z1, 0), at(z1, NEAR), at(z0, NEAR)]]);
   return polygonArea(pip) > PIP ? `a pip of ${mm2(polygonArea(pip))} stays on the axis` : null;
 };

@@ -4,7 +4,7 @@ import { cycleByNumber } from "../../src/cycles/index.ts";
 import { brokenBy } from "./cut-laws.ts";
 import type { FoundCase } from "./found-case.ts";
 import { brokenByPlan } from "./plan-laws.ts";
-import { casesOf, situations } from "./situation.ts";
+import { casesOf, situations, type Situation } from "./situation.ts";
 
 /*
  * Every set-up that can be drawn is cut twice and held to the laws of cut-laws.ts, whatever its start point. `npm run laws` draws
@@ -20,6 +20,17 @@ for (const operation of [0, 1, 2, 3])
       }), { numRuns: casesOf(cycle, CASES) });
     });
   });
+
+/** How many set-ups are drawn to find some on the axis, and how many of those are tried. */
+const [DRAWN, ON_AXIS] = [60 + CASES, Math.ceil(CASES / 4)];
+
+describe("on the axis and beyond it", () => {
+  const turning = situations(0).filter(({ cycle: { group } }) => group === "longitudinal" || group === "transverse");
+  test.each(turning)("cycle $cycle.number leaves no pip and cuts into nothing", ({ cycle, arbitrary }) => {
+    const isThere = (s: Situation) => cycle.outline(s.values as never, s.given).contour.some(({ from, to }) => Math.min(from.r, to.r) <= 0);
+    for (const s of fc.sample(arbitrary, DRAWN).filter(isThere).slice(0, ON_AXIS)) expect(brokenBy(cycle, s), JSON.stringify(s)).toEqual([]);
+  });
+});
 
 describe("set-ups that broke a law once", () => {
   const found = Object.entries(import.meta.glob<FoundCase>("./found/*.json", { import: "default", eager: true }));

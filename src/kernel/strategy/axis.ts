@@ -36,15 +36,16 @@ export function aroundAxis(contour: readonly Bound[], frame: Frame): TurnedChain
   // From inside nothing is cut on the far side of the axis.
   if (frame.signV < 0) return { chain: contour, ends: [first, last], front: null, back: null };
   const nothing = (p: Flat) => (radiusOf(frame, p) <= SAME ? [] : null);
-  return { chain: contour.flatMap((b) => (isBare(b, frame) ? trench(b) : [b])), ends: [first, last], front: nothing(first.from),
+  const chain = contour.flatMap((b, i) => (isBare(b, frame) ? trench(b, i > 0, i < contour.length - 1) : [b]));
+  return { chain, ends: [first, last], front: nothing(first.from),
     back: nothing(last.to) };
 }
 
-/** Along the axis nothing stands where a contour runs on it. */
-function trench({ segment: { from, to }, on }: Bound): Bound[] {
+/** Along the axis nothing stands where a contour runs on it: it is a trench, between what comes before and behind it. */
+function trench({ segment: { from, to }, on }: Bound, before: boolean, behind: boolean): Bound[] {
   const low = (p: Flat): Flat => ({ u: p.u, v: p.v - DEEP });
   const line = (a: Flat, b: Flat): Bound => ({ segment: { kind: "line", from: a, to: b }, on });
-  return [line(from, low(from)), line(low(from), low(to)), line(low(to), to)];
+  return [...(before ? [line(from, low(from))] : []), line(low(from), low(to)), ...(behind ? [line(low(to), to)] : [])];
 }
 
 /** Across the axis: the contour up to it, and its mirror image. */
