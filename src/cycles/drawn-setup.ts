@@ -1,7 +1,7 @@
 import { contourFrom, type ContourElement } from "../kernel/contour.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
 import type { TipOrientation } from "../kernel/tool.ts";
-import { diameter, inDegrees, radians, radius, rounded, toDiameter, toRadius } from "../kernel/units.ts";
+import { inDegrees, radians, radius, rounded, toDiameter } from "../kernel/units.ts";
 
 /** Numbers by chance, for set-ups that nobody thought of. Whoever asks for a set-up brings the dice: nothing here rolls any. */
 export interface Draw {
@@ -65,8 +65,8 @@ const tipOf = (out: 1 | -1, along: 1 | -1): TipOrientation => (out > 0 ? (along 
 /** Where a button points that cuts along the axis, or across it. */
 const squareTip = (out: 1 | -1, along: 1 | -1, transverse: boolean): TipOrientation => transverse ? (along > 0 ? 8 : 4) : out > 0 ? 2 : 6;
 
-/** An end on the axis, or beyond it as a setter types it, mm of diameter. */
-const atAxis = (draw: Draw) => draw.one(0, 0, -1.6, -0.4);
+/** An end on the axis, or beyond it as a setter types it. */
+const atAxis = (draw: Draw) => radius(draw.one(0, 0, -0.8, -0.2));
 /** An angle of a wall, now and then one of the whole degrees that flanks of inserts have as well. */
 const wallAngle = (draw: Draw, max: number) => draw.one(0, angle(draw, max), draw.whole(0, max));
 
@@ -84,14 +84,14 @@ const boxSetups = (transverse: boolean): Setups => (draw) => {
   const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
   const [r, z1, T] = [half(draw, 20, 50), mm(draw, -5, 5), transverse ? draw.one(15, 1, 2, 11) : draw.one(1, 2, 4, 11)];
   const z2 = rounded(z1 - along * (transverse ? mm(draw, 1, 25) : mm(draw, 3, 70)));
-  const deep = transverse ? mm(draw, 4, 38) : mm(draw, 2, 30);
+  const deep = transverse ? mm(draw, 2, 19) : mm(draw, 1, 15);
   const [over, before] = [draw.one(0, mm(draw, -2, 6)), mm(draw, 0, 8)];
   const axis = mostly(draw, null, atAxis(draw));
   // Away from the axis a face begins there.
-  const r1 = axis !== null && transverse && out < 0 ? toRadius(diameter(axis)) : r;
-  const Q493 = axis !== null && out > 0 ? axis : rounded(toDiameter(r) - out * deep);
+  const r1 = axis !== null && transverse && out < 0 ? axis : r;
+  const end = axis !== null && out > 0 ? axis : radius(r - out * deep);
   const usual = common(draw);
-  const depth = transverse ? Math.abs(z2 - z1) + Math.max(0, over) : Math.abs(r - toRadius(diameter(Math.max(0, Q493)))) + Math.max(0, over);
+  const depth = transverse ? Math.abs(z2 - z1) + Math.max(0, over) : Math.abs(r - Math.max(0, end)) + Math.max(0, over);
   return {
     values: {
       ...usual,
@@ -104,7 +104,7 @@ const boxSetups = (transverse: boolean): Setups => (draw) => {
       Q506: draw.one(0, 1, 2),
       Q491: toDiameter(r1),
       Q492: z1,
-      Q493,
+      Q493: rounded(toDiameter(end)),
       Q494: z2,
     },
     contour: null,

@@ -89,7 +89,10 @@ interface Data {
   startInPart: { x: number; z: number };
   /** The insert reaches across the axis into the part; `nearest` is a diameter of the start point at which it does not. */
   insertAcrossAxis: { reach: number; nearest?: number };
-  /** There is no bore to cut in: solid from `z` on, though the path goes on to `to`. `need`: the smallest bore that the tool fits in at the start point, as a diameter. */
+  /**
+   * There is no bore to cut in: solid from `z` on, though the path goes on to `to`. `need`: the smallest bore that the tool fits in at the
+   * start point, as a diameter.
+   */
   holeMissing: { z: number; to: number; need: number };
   /** The contour is run towards the start point; from the other side, at x and z, it works. */
   startOnWrongSide: { x: number; z: number };

@@ -17,6 +17,8 @@ export interface Room {
   readonly maxU: number;
   readonly minV: number;
   readonly maxV: number;
+  /** In a bore that is cut across the axis: how near to the axis the tool leans back, as a u. */
+  readonly nearest?: number;
 }
 
 /** Where the tip may be: on this side of the axis, and up to `beyond` mm on the other. */

@@ -45,7 +45,10 @@ const nothing: Plan = empty([]);
 
 const unique = (issues: readonly Issue[]) => [...new Map(issues.map((i) => [JSON.stringify([i.code, i.at ?? "", i.data]), i])).values()];
 
-function answer(machine: Machine, { cycle, defined, contour, told, start: at, tool, stock: standing, solid: unbored }: CalledCycle): CallAnswer {
+function answer(
+  machine: Machine,
+  { cycle, defined, contour, told, start: at, tool, stock: standing, solid: unbored }: CalledCycle,
+): CallAnswer {
   const { spindle, now: { datum, toolFeed: autoFeed, tool: called } } = machine;
   const start = countedPoint(at, datum);
   const given: Given = { contour, start };

@@ -70,10 +70,13 @@ const partStaysWhole: CutLaw = (w) => {
   return ours > REAL || theirs > REAL ? `gouge ${mm2(theirs)}, by columns ${mm2(ours)}` : null;
 };
 
-/** A path does not hang on BLK FORM: where the blank stands higher than the start point, or in front of the contour, it is not looked at. */
+/**
+ * A path does not hang on BLK FORM: a blank that stands higher than the start point, or beside the area, is not looked at. Where the start
+ * point lies below the contour, part of the area is higher than it.
+ */
 const standsBeside = ({ cycle, situation: { blank }, plans: [plan] }: Worked) =>
   (cycle.group === "longitudinal" || cycle.group === "transverse") && plan !== undefined
-  && areaOutside(blank, [plan.area, plan.part]) > REAL;
+  && (plan.issues.some((i) => i.code === "startBelowContour") || areaOutside(blank, [plan.area, plan.part]) > REAL);
 
 /**
  * Rapids touch nothing, unless the tool stood in the material when it was called. Finishing alone does not know what steps roughing has

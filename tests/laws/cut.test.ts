@@ -28,7 +28,8 @@ describe("on the axis and beyond it", () => {
   const turning = situations(0).filter(({ cycle: { group } }) => group === "longitudinal" || group === "transverse");
   test.each(turning)("cycle $cycle.number leaves no pip and cuts into nothing", ({ cycle, arbitrary }) => {
     const isThere = (s: Situation) => cycle.outline(s.values as never, s.given).contour.some(({ from, to }) => Math.min(from.r, to.r) <= 0);
-    for (const s of fc.sample(arbitrary, DRAWN).filter(isThere).slice(0, ON_AXIS)) expect(brokenBy(cycle, s), JSON.stringify(s)).toEqual([]);
+    for (const s of fc.sample(arbitrary, DRAWN).filter(isThere).slice(0, ON_AXIS))
+      expect(brokenBy(cycle, s), JSON.stringify(s)).toEqual([]);
   });
 });
 

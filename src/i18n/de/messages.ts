@@ -105,7 +105,9 @@ export const messages = {
         ? " Für diese Bohrung ist sie zu lang."
         : ` Mit dem Startpunkt ab X${w.diameter(d.nearest)} bleibt sie frei.`),
     holeMissing: (d, w) =>
-      `Die Bohrung fehlt: Ab Z${w.signed(d.z)} ist das Material voll, der Zyklus geht bis Z${w.signed(d.to)}. Erst bis dorthin mit mindestens ${w.diameter(d.need)} vorbohren.`,
+      `Die Bohrung fehlt: Ab Z${w.signed(d.z)} ist das Material voll, der Zyklus geht bis Z${
+        w.signed(d.to)
+      }. Erst bis dorthin mit mindestens ${w.diameter(d.need)} vorbohren.`,
     startOnWrongSide: (d, w) =>
       `Die Kontur läuft auf den Startpunkt zu: Von dort wird nichts zerspant. Ein Startpunkt, der geht: ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>

@@ -100,7 +100,9 @@ export const messages = {
         ? " It is too long for this bore."
         : ` From a start point at X${w.diameter(d.nearest)} on it stays clear.`),
     holeMissing: (d, w) =>
-      `A bore is missing: the material is solid from Z${w.signed(d.z)} on, and this cycle goes on to Z${w.signed(d.to)}. Bore ${w.diameter(d.need)} or more as far as that first.`,
+      `A bore is missing: the material is solid from Z${w.signed(d.z)} on, and this cycle goes on to Z${w.signed(d.to)}. Bore ${
+        w.diameter(d.need)
+      } or more as far as that first.`,
     startOnWrongSide: (d, w) =>
       `The contour runs towards the start point: nothing is cut from there. A start point that works: ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>

@@ -105,7 +105,9 @@ export const messages = {
         ? " Elle est trop longue pour cet alésage."
         : ` Avec un point de départ à partir de X${w.diameter(d.nearest)}, elle reste dégagée.`),
     holeMissing: (d, w) =>
-      `L’alésage manque : la matière est pleine à partir de Z${w.signed(d.z)}, le cycle va jusqu’à Z${w.signed(d.to)}. Percer d’abord jusque-là à ${w.diameter(d.need)} au moins.`,
+      `L’alésage manque : la matière est pleine à partir de Z${w.signed(d.z)}, le cycle va jusqu’à Z${
+        w.signed(d.to)
+      }. Percer d’abord jusque-là à ${w.diameter(d.need)} au moins.`,
     startOnWrongSide: (d, w) =>
       `Le contour se dirige vers le point de départ : rien n’est usiné de ce côté. Un point de départ possible : ${w.place(d.x, d.z)}.`,
     startInsideEnvelope: (d, w) =>

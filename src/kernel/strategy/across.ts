@@ -42,8 +42,14 @@ const waypoints = (from: Pt, m: Move): readonly Pt[] =>
   m.kind === "arc" ? part.flattened({ kind: "arc", from, to: m.to, centre: m.centre, turn: m.turn }, CHORD).slice(1) : [m.to];
 
 /** A plan without its path, for a reason. */
-const refusedFor = (plan: Plan, found: Issue): Plan => ({ ...plan, moves: [], passes: 0, reach: [], kept: [],
-  issues: [...plan.issues, found] });
+const refusedFor = (plan: Plan, found: Issue): Plan => ({
+  ...plan,
+  moves: [],
+  passes: 0,
+  reach: [],
+  kept: [],
+  issues: [...plan.issues, found],
+});
 
 /**
  * The work turns: what an insert reaches across the axis meets the part on the other side, as in a bore that is narrower than the
@@ -69,8 +75,9 @@ export function clearAcross(plan: Plan, setting: Setting, role: "startU" | "star
     if (areaOf(near) < REAL || areaOf(intersection(sweptAcross(outline, ...way), near)) < REAL) continue;
     const free = Math.min(...plan.contour.flatMap((s) => [s.from.r, s.to.r]));
     const x = wholeAbove(toDiameter(radius(-lowest - free)));
-    return refusedFor(plan, issue("insertAcrossAxis", "error",
-      x > 0 && x < toDiameter(radius(free)) ? { reach: across.reach, nearest: x } : { reach: across.reach }, role));
+    return refusedFor(plan,
+      issue("insertAcrossAxis", "error",
+        x > 0 && x < toDiameter(radius(free)) ? { reach: across.reach, nearest: x } : { reach: across.reach }, role));
   }
   return plan;
 }

@@ -37,8 +37,7 @@ export function aroundAxis(contour: readonly Bound[], frame: Frame): TurnedChain
   if (frame.signV < 0) return { chain: contour, ends: [first, last], front: null, back: null };
   const nothing = (p: Flat) => (radiusOf(frame, p) <= SAME ? [] : null);
   const chain = contour.flatMap((b, i) => (isBare(b, frame) ? trench(b, i > 0, i < contour.length - 1) : [b]));
-  return { chain, ends: [first, last], front: nothing(first.from),
-    back: nothing(last.to) };
+  return { chain, ends: [first, last], front: nothing(first.from), back: nothing(last.to) };
 }
 
 /** Along the axis nothing stands where a contour runs on it: it is a trench, between what comes before and behind it. */
@@ -110,6 +109,9 @@ function cutAtAxis(s: FlatSegment, frame: Frame): FlatSegment {
   }
   return { ...s, to: { u: 0, v: on(beyond).v } };
 }
+
+/** From outside and along the axis no level lies deeper than the axis; a height in strategy space. */
+export const axisFloor = ({ transverse, signV }: Frame): number => (!transverse && signV > 0 ? 0 : -Infinity);
 
 /**
  * How far the tip may pass the axis, mm: the cut ends when the centre of the nose stands on it, and a contour that is drawn beyond it is

@@ -75,8 +75,8 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
   if (insidePart(drawn, called)) return { ...sketch, issues: [...issues, startInPart(works)] };
   const kept = over(0);
   const blank = groundOver(bounds, tool, l.frame, { u: 0, v: 0, round: l.allowance }, AROUND);
-  const stands = atCall({ stock: tracedStock(setting), area: sketch.area.map((p) => toFlat(l.frame, p)), frame: l.frame, insert }, drawn.bare,
-    l.operation > 1 ? { grown: kept.bare, infeed: Math.min(l.infeed, l.allowance) } : null);
+  const stands = atCall({ stock: tracedStock(setting), area: sketch.area.map((p) => toFlat(l.frame, p)), frame: l.frame, insert },
+    drawn.bare, l.operation > 1 ? { grown: kept.bare, infeed: Math.min(l.infeed, l.allowance) } : null);
   const first = (contour[0] as FlatSegment).from;
   const start = startOf(l, called, { u: first.u - lead - l.clearance, behind: first.u }, blank);
   if (start.v > called.v || inAllowance(called, blank))

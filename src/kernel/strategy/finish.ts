@@ -140,8 +140,8 @@ function leadIn(cutter: Cutter, f: Finish, run: readonly FlatSegment[], near: bo
   const along = tangentAt(first, "from");
   const square = normalAt(first, "from");
   const from =
-    [{ u: -along.u, v: -along.v }, square].map((d) => cutter.inBore({ u: to.u + d.u * f.clearance, v: to.v + d.v * f.clearance }, to)).find((p) =>
-      staysAbove(bare, p, to) && !blocked(bare, p, to) && p.u >= f.from - f.clearance
+    [{ u: -along.u, v: -along.v }, square].map((d) => cutter.inBore({ u: to.u + d.u * f.clearance, v: to.v + d.v * f.clearance }, to)).find(
+      (p) => staysAbove(bare, p, to) && !blocked(bare, p, to) && p.u >= f.from - f.clearance
     ) ?? cutter.inBore({ u: to.u, v: to.v + f.clearance }, to);
   cutter.link(from, link);
   cutter.feed(to, feedOf(f), purpose(f, 1));

@@ -9,10 +9,10 @@ import { at, type Segment } from "../point.ts";
 import type { Bound } from "../reach.ts";
 import { SAME } from "../tolerance.ts";
 import type { ToolType } from "../tool.ts";
-import { roomOf } from "../track.ts";
+import { roomOf, type Room } from "../track.ts";
 import { length, radius, toDiameter } from "../units.ts";
 import { clearAcross } from "./across.ts";
-import { beyondAxis } from "./axis.ts";
+import { axisFloor, beyondAxis } from "./axis.ts";
 import type { Feeds } from "./feeds.ts";
 import { followContour } from "./finish.ts";
 import { unfit } from "./fit.ts";
@@ -58,7 +58,7 @@ interface Site {
   readonly insert: Convex;
   readonly keep: Flat;
   readonly called: Flat;
-  /** Tip height of the outer corner of the area; the highest and the lowest point of the contour, which from outside is the axis at most. */
+  /** Tip height of the outer corner of the area; the highest and the lowest point of the contour, from outside no deeper than the axis. */
   readonly outer: number;
   readonly highest: number;
   readonly lowest: number;
@@ -78,13 +78,10 @@ function siteOf(l: Leveled, setting: Setting): Site | null {
     keep: l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r },
     outer: Math.max(l.outerHeight ?? first.from.v, first.from.v) - extent(insert).minV,
     highest: flat.reduce((most, s) => Math.max(most, s.from.v, s.to.v), -Infinity),
-    lowest: Math.max(floorOf(l.frame), flat.reduce((least, s) => Math.min(least, lowestOf(s)), Infinity)),
+    lowest: Math.max(axisFloor(l.frame), flat.reduce((least, s) => Math.min(least, lowestOf(s)), Infinity)),
     inFront: l.partInFront || (l.frame.transverse && l.frame.signU > 0),
   };
 }
-
-/** From outside and along the axis no level lies deeper than that. */
-const floorOf = ({ transverse, signV }: Frame) => (!transverse && signV > 0 ? 0 : -Infinity);
 
 /** Plans roughing and finishing of a leveled cycle. Never throws; what cannot be planned is an issue. */
 export function planLeveled(l: Leveled, setting: Setting): Plan {
@@ -113,21 +110,28 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const over = toFinishOver(site, limits.floor);
   const drawn = groundOver(bounds, tool, l.frame, NOTHING, over);
   const start = startOf(l, site, setting);
-  const room = roomOf(l.frame, beyondAxis(tool, flat, l.frame));
+  const room: Room = {
+    ...roomOf(l.frame, beyondAxis(tool, flat, l.frame)),
+    ...(l.frame.transverse && l.frame.signU > 0 && { nearest: called.u }),
+  };
   if (insidePart(drawn, called)) return { ...sketch, issues: [...issues, startInPart(workingStart(l, site))] };
   const top = Math.max(start.v, site.outer);
   // Nothing stands beyond the axis: there the area is open.
   const wall = top + extent(insert).minV > last.to.v + SAME && toPart(l.frame, last.to).r > SAME ? top + FAR : null;
   const floor = site.lowest + keep.v;
   // What stands in front of a contour that begins or ends on the axis is taken with it: there is no floor.
-  const floors = site.lowest > floorOf(l.frame) + SAME ? [...over.floors, { v: floor, on: "edge" as const }] : over.floors;
+  const floors = site.lowest > axisFloor(l.frame) + SAME ? [...over.floors, { v: floor, on: "edge" as const }] : over.floors;
   const kept = groundOver(bounds, tool, l.frame, keep, { ...over, wall, floors });
   // The contour grown by the oversize is wanted only where something follows it, or where roughing has run before.
   const grown = l.operation > 1 || l.smoothing === 1 ? groundOver(bounds, tool, l.frame, keep, over) : drawn;
-  const stands = atCall({ stock: tracedStock(setting), area: areaCorners(site, top, site.inFront ? Infinity : start.u + leadIn(l, site)), frame: l.frame, insert }, drawn.bare,
-    l.operation > 1 ? { grown: grown.bare, infeed: l.infeed, top } : null);
+  const stands = atCall({
+    stock: tracedStock(setting),
+    area: areaCorners(site, top, site.inFront ? Infinity : start.u + leadIn(l, site)),
+    frame: l.frame,
+    insert,
+  }, drawn.bare, l.operation > 1 ? { grown: grown.bare, infeed: l.infeed, top } : null);
   const cutter = new Cutter(l.frame, setting.feedUnit, called, room, new Frontier(stands, insert, limits.ceiling),
-    Math.max(called.v, l.frame.transverse || l.frame.signV > 0 ? start.v : top), l.frame.transverse && l.frame.signU > 0 ? called.u : undefined);
+    Math.max(called.v, l.frame.transverse || l.frame.signV > 0 ? start.v : top));
   place(cutter, l, site, start, setting, issues);
 
   const from = Math.max(start.u, limits.from, room.minU);

@@ -19,6 +19,8 @@ export interface Link {
 
 /** A tool at work: its moves, and what still stands in front of it. Everything that runs at feed lowers the frontier. */
 export class Cutter extends Track {
+  private readonly nearest: number;
+
   constructor(
     frame: Frame,
     feedUnit: FeedUnit,
@@ -27,10 +29,9 @@ export class Cutter extends Track {
     readonly frontier: Frontier,
     /** The tool rises no higher than this unless something stands higher. */
     private readonly ceiling: number,
-    /** Across the axis and away from it, in a bore: how near to the axis it leans back. */
-    private readonly nearest = -Infinity,
   ) {
     super(frame, feedUnit, start, room);
+    this.nearest = room.nearest ?? -Infinity;
   }
 
   override feed(point: Flat, value: number, purpose: Purpose): void {

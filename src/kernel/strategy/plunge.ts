@@ -64,7 +64,8 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
   const grown = groundOver(bounds, tool, l.frame, keep, over(false));
   const insert = insertIn(tool, l.frame);
   const frontier = frontierAt(site, setting, insert, { drawn, grown, infeed: SAME, operation: l.operation, ceiling: limits.ceiling });
-  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)), frontier, top + l.clearance);
+  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)), frontier,
+    top + l.clearance);
   const start = { u: called.u, v: top };
   const back = (run: "rough" | "finish", step: number) => {
     const p = { phase: "position", run, step } as const;

@@ -78,7 +78,8 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   };
   const deepestPath = finishedTo(drawn, { u: 0, v: 0 });
   const frontier = frontierAt(site, setting, insert, { drawn, grown, infeed: l.infeed, operation: l.operation, ceiling: limits.ceiling });
-  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)), frontier, top + RECESS_CLEARANCE);
+  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)), frontier,
+    top + RECESS_CLEARANCE);
   const start = { u: called.u, v: top };
   back(cutter, start, l.operation > 1 ? l.feeds.finish : l.feeds.rough, l.operation > 1 ? "finish" : "rough", 0);
 
