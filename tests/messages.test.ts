@@ -66,7 +66,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   startBehindContour: { behind: 12.25, clearance: 2.5 },
   startOnWrongSide: { x: 16.5, z: 2.5 },
   startInPart: { x: 79.5, z: 2.5 },
-  holeMissing: { z: -32, to: -40, need: 26 },
+  boreMissing: { z: -32, to: -40, need: 26 },
   insertAcrossAxis: { reach: 12.345, nearest: 20.5 },
   startInsideEnvelope: { clearance: 2.5 },
   limitOnWrongSide: { limit: 10.5, nearest: 20.5 },

@@ -93,7 +93,7 @@ interface Data {
    * There is no bore to cut in: solid from `z` on, though the path goes on to `to`. `need`: the smallest bore that the tool fits in at the
    * start point, as a diameter.
    */
-  holeMissing: { z: number; to: number; need: number };
+  boreMissing: { z: number; to: number; need: number };
   /** The contour is run towards the start point; from the other side, at x and z, it works. */
   startOnWrongSide: { x: number; z: number };
   startInsideEnvelope: { clearance: number };

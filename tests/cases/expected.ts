@@ -72,6 +72,7 @@ export const SEVERITY: Readonly<Record<string, "error" | "warning" | "info">> = 
   runInBlocked: "error",
   pitchNotListed: "error",
   holeMissing: "error",
+  boreMissing: "error",
 };
 
 const clean = { gouge: false, rapidInStock: false } as const;
@@ -189,16 +190,16 @@ export const expected: Readonly<Record<string, Expected>> = {
   "lift-inside": { says: "in a bore no lift comes nearer to the axis than the start point", ...clean, notNearer: 27, mostErrors: 0 },
   "bore-in-solid": {
     says: "boring where there is no bore is refused for that reason",
-    has: { holeMissing: 1 },
+    has: { boreMissing: 1 },
     mostErrors: 1,
     offersNoNegative: true,
     verdict: "faults",
   },
-  "bore-in-solid-faced": { says: "so it is when the face was turned before", has: { holeMissing: 1 }, mostErrors: 1 },
-  "bore-in-bore": { says: "the bore that is asked for is enough", hasNot: ["holeMissing"], mostErrors: 0 },
+  "bore-in-solid-faced": { says: "so it is when the face was turned before", has: { boreMissing: 1 }, mostErrors: 1 },
+  "bore-in-bore": { says: "the bore that is asked for is enough", hasNot: ["boreMissing"], mostErrors: 0 },
   "blind-bore-too-deep": {
     says: "a bore that ends before the cycle does is told where it ends",
-    has: { holeMissing: 1 },
+    has: { boreMissing: 1 },
     mostErrors: 1,
     offersNoNegative: true,
     verdict: "faults",

@@ -104,7 +104,7 @@ export const messages = {
       + (d.nearest === undefined
         ? " Für diese Bohrung ist sie zu lang."
         : ` Mit dem Startpunkt ab X${w.diameter(d.nearest)} bleibt sie frei.`),
-    holeMissing: (d, w) =>
+    boreMissing: (d, w) =>
       `Die Bohrung fehlt: Ab Z${w.signed(d.z)} ist das Material voll, der Zyklus geht bis Z${
         w.signed(d.to)
       }. Erst bis dorthin mit mindestens ${w.diameter(d.need)} vorbohren.`,

@@ -99,7 +99,7 @@ export const messages = {
       + (d.nearest === undefined
         ? " It is too long for this bore."
         : ` From a start point at X${w.diameter(d.nearest)} on it stays clear.`),
-    holeMissing: (d, w) =>
+    boreMissing: (d, w) =>
       `A bore is missing: the material is solid from Z${w.signed(d.z)} on, and this cycle goes on to Z${w.signed(d.to)}. Bore ${
         w.diameter(d.need)
       } or more as far as that first.`,

@@ -104,7 +104,7 @@ export const messages = {
       + (d.nearest === undefined
         ? " Elle est trop longue pour cet alésage."
         : ` Avec un point de départ à partir de X${w.diameter(d.nearest)}, elle reste dégagée.`),
-    holeMissing: (d, w) =>
+    boreMissing: (d, w) =>
       `L’alésage manque : la matière est pleine à partir de Z${w.signed(d.z)}, le cycle va jusqu’à Z${
         w.signed(d.to)
       }. Percer d’abord jusque-là à ${w.diameter(d.need)} au moins.`,

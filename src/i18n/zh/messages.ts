@@ -79,7 +79,7 @@ export const messages = {
     insertAcrossAxis: (d, w) =>
       `刀片越过轴线 ${w.length(d.reach)}，会在另一侧切入成品工件。`
       + (d.nearest === undefined ? "对这个孔来说刀片太长。" : `起点从 X${w.diameter(d.nearest)} 起即可避开。`),
-    holeMissing: (d, w) =>
+    boreMissing: (d, w) =>
       `缺少底孔：从Z${w.signed(d.z)}起为实心材料，而循环要加工到Z${w.signed(d.to)}。请先钻出至少 ${w.diameter(d.need)} 的孔直到该处。`,
     startOnWrongSide: (d, w) => `轮廓朝起点方向走：从这一侧不会切削。可用的起点：${w.place(d.x, d.z)}。`,
     startInsideEnvelope: (d, w) => `起点距轮廓小于安全高度${w.size(d.clearance)}：刀具以精加工进给直接移至轮廓。`,

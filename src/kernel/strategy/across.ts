@@ -105,7 +105,7 @@ function boreMissing(plan: Plan, { tool, start, solid }: Setting, lowest: number
     const across = Math.max(-lowest, ...inside.map((p) => -p.r)) - start.r;
     const need = across > start.r ? radius(wholeAbove(across)) : start.r;
     const [z, to] = start.z > (left + right) / 2 ? [core.right, left] : [core.left, right];
-    return issue("holeMissing", "error", { z: rounded(z), to: rounded(to), need: toDiameter(need) }, "start.x");
+    return issue("boreMissing", "error", { z: rounded(z), to: rounded(to), need: toDiameter(need) }, "start.x");
   }
   return null;
 }
