@@ -46,7 +46,7 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   recessNarrowerThanTool: { width: 2.5, tool: 3.1, nearest: 68.8 },
   angleNotFollowed: { angle: 40.5, max: 32.25, nearest: 32.25, edge: "secondaryEdge" },
   infeedOverCutLength: { infeed: 15.5, cutLength: 12.1, nearest: 12.1 },
-  depthOverCutLength: { depth: 40.5, cutLength: 35.1, nearest: 35.1 },
+  depthOverCutLength: { depth: 40.5, cutLength: 35.1 },
   offsetReduced: { offset: 0.5, kept: 0.148, nearest: 0.148, passes: 14 },
   offsetOverLimit: { offset: 2.5, max: 2.08, passes: 1, nearest: 0.148 },
   toolUnfit: { type: "THREAD", orientation: 3, types: ["ROUGH", "FINISH"], orientations: [1, 2] },

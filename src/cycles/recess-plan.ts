@@ -5,8 +5,9 @@ import type { Plan, Setting } from "../kernel/plan.ts";
 import { part, type Pt } from "../kernel/point.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { planRecess } from "../kernel/strategy/recess.ts";
-import { ROUND } from "../kernel/tolerance.ts";
-import { axial, degrees, type Diameter, type Feed, length, perSide, radius, rounded, toDiameter, toRadius } from "../kernel/units.ts";
+import { SAME } from "../kernel/tolerance.ts";
+import type { Tool } from "../kernel/tool.ts";
+import { axial, degrees, type Diameter, type Feed, length, perSide, radius, roundedDown, toDiameter, toRadius } from "../kernel/units.ts";
 import type { Given } from "./define.ts";
 import { recessOutline, type RecessOutline } from "./recess-outline.ts";
 import { refused } from "./refused.ts";
@@ -42,6 +43,8 @@ export interface TurnedRecess extends Shifted {
   readonly Q508: number;
   readonly Q488: Feed | "auto";
 }
+/** What is done to a recess, and what it keeps on its walls. */
+type Worked = Pick<TurnedRecess, "Q215" | "Q483" | "Q484">;
 /** The same between two walls. */
 type RecessTurning = ShoulderValues & TurnedRecess;
 
@@ -65,24 +68,26 @@ export function planRecessTurning(v: RecessTurning, outline: RecessOutline, sett
     free: false,
     limit: null,
   }, setting);
-  const onWalls = v.Q215 === 2 ? 0 : 2 * (frame.transverse ? oversize.r : oversize.z);
-  const narrow = narrowIssue(outline, v, isBar(tool) ? cuttingWidth(tool) + onWalls : 0);
-  const found = [...narrow, ...cornerIssue(v.Q500, tool), ...angleIssues(outline, tool, frame, outline.angleAt)];
+  const found = [...narrowIssue(outline, v, tool), ...cornerIssue(v.Q500, tool), ...angleIssues(outline, tool, frame, outline.angleAt)];
   return atParameters(withIssues(plan, found), frame, rolesIn(frame));
 }
 
 const rolesIn = (frame: Frame): Roles => ({ infeed: "Q463", depth: frame.transverse ? "Q494" : "Q493", offset: "Q508" });
 
-/** A tool that is wider than the floor (with the oversize on both walls) cannot reach it; wider than the opening, not at all. */
-export function narrowIssue(outline: RecessOutline, v: Ends, tool: number): Issue[] {
-  if (tool <= outline.floor + ROUND) return [];
-  const { transverse } = outline.frame;
-  const missing = tool - outline.floor;
-  const nearest = rounded(
-    transverse ? v.Q493 + Math.sign(v.Q493 - v.Q491) * toDiameter(radius(missing)) : v.Q494 + Math.sign(v.Q494 - v.Q492) * missing,
-  );
-  const at = transverse ? "Q493" : "Q494";
-  return [issue("recessNarrowerThanTool", tool > outline.opening ? "error" : "warning", { width: outline.floor, tool, nearest }, at)];
+/**
+ * A bar that is wider than the floor, with the oversize on both walls, cannot reach it; wider than the opening, not at all. Where the bar
+ * alone fits, less oversize mends it; else a narrower tool does: the width of a recess is that of the drawing.
+ */
+export function narrowIssue({ frame, floor, opening }: RecessOutline, v: Worked, tool: Tool): Issue[] {
+  if (!isBar(tool)) return [];
+  const [width, oversize] = [cuttingWidth(tool), frame.transverse ? v.Q483 : 2 * v.Q484];
+  const needed = width + (v.Q215 === 2 ? 0 : oversize);
+  if (needed <= floor + SAME) return [];
+  const room = Math.max(0, floor - width);
+  const [at, most] = frame.transverse ? ["Q483", room] : ["Q484", room / 2];
+  const fits = width <= floor + SAME;
+  const data = { width: floor, tool: needed, ...(fits && { nearest: roundedDown(most) }) };
+  return [issue("recessNarrowerThanTool", needed > opening + SAME ? "error" : "warning", data, fits ? at : "tool")];
 }
 
 /** Opening of a simple recess in pictures that know no start point yet: so wide and so deep, mm. */

@@ -1,4 +1,3 @@
-import { cuttingWidth, isBar } from "../kernel/insert.ts";
 import type { Flat, Frame } from "../kernel/flat.ts";
 import type { Plan, Setting } from "../kernel/plan.ts";
 import type { Segment } from "../kernel/point.ts";
@@ -63,10 +62,8 @@ export function planRecessing(v: ShoulderValues & PlungeValues, outline: RecessO
   const { frame } = outline;
   const { tool } = setting;
   const plan = planPlunges(v, outline, null, setting);
-  const onWalls = v.Q215 === 2 ? 0 : 2 * (frame.transverse ? perSide(v.Q483) : v.Q484);
-  const narrow = narrowIssue(outline, v, isBar(tool) ? cuttingWidth(tool) + onWalls : 0);
   const angle = (_q: string, direction: number) => 90 - Math.abs(direction);
-  const found = [...narrow, ...cornerIssue(v.Q500, tool), ...angleIssues(outline, tool, frame, angle)];
+  const found = [...narrowIssue(outline, v, tool), ...cornerIssue(v.Q500, tool), ...angleIssues(outline, tool, frame, angle)];
   return atParameters(withIssues(plan, found), frame, {
     infeed: "Q463",
     depth: frame.transverse ? "Q494" : "Q493",

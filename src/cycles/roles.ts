@@ -49,12 +49,10 @@ function inCycle(found: Issue, frame: Frame, q: Roles): Issue {
       return found.at !== undefined && q.others?.[found.at] !== undefined ? at(q.others[found.at]) : found;
   }
   const named = at(found.at === "depth" ? q.depth : isX(frame, axis) ? q.limitX : q.limitZ);
-  if (named.code !== "limitOnWrongSide" && named.code !== "depthOverCutLength") return named;
+  if (named.code !== "limitOnWrongSide") return named;
   const offer = offerOf(named);
-  const offered = offer === null ? named : withOffer(named, written(frame, axis, offer));
-  return offered.code === "limitOnWrongSide"
-    ? { ...offered, data: { ...offered.data, limit: written(frame, axis, offered.data.limit) } }
-    : offered;
+  const limited = { ...named, data: { ...named.data, limit: written(frame, axis, named.data.limit) } };
+  return offer === null ? limited : withOffer(limited, written(frame, axis, offer));
 }
 
 /** A plan whose issues stand at the parameters of the cycle. */

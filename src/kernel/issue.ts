@@ -33,7 +33,7 @@ interface Data {
   angleNotFollowed: { angle: number; max: number; nearest?: number; edge: "mainEdge" | "secondaryEdge" | "toolWidth"; element?: number };
   tooManyPasses: { passes: number; most: number; nearest?: number };
   infeedOverCutLength: { infeed: number; cutLength: number; nearest?: number };
-  depthOverCutLength: { depth: number; cutLength: number; nearest?: number };
+  depthOverCutLength: { depth: number; cutLength: number };
   offsetReduced: { offset: number; kept: number; nearest?: number; passes: number };
   offsetOverLimit: { offset: number; max: number; passes: number; nearest?: number };
   /** By its TYPE or its tip orientation; those that can. */

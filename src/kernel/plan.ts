@@ -18,6 +18,8 @@ export interface Setting {
   readonly leavesOutAir?: boolean;
   /** What nobody has bored yet: outlines, and the Z from which on they are solid. Absent where nobody knows. */
   readonly solid?: { readonly rings: readonly Ring[]; readonly below: number } | null;
+  /** Outlines that nothing stands outside of: the blank that is stated, whatever has been cut of it. Absent where none is. */
+  readonly blank?: readonly Ring[] | null;
 }
 
 /** The stock that a path may hang on: a control knows none but one that is traced, whatever BLK FORM says. */

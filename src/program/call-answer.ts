@@ -53,11 +53,10 @@ function answer(
   const start = countedPoint(at, datum);
   const given: Given = { contour, start };
   const { values, partial, issues } = cycleValues(machine, cycle, defined.values);
-  const stock = standing?.map((ring) => ring.map((p) => countedPoint(p, datum))) ?? null;
-  const solid = unbored
-    ? { rings: unbored.rings.map((ring) => ring.map((p) => countedPoint(p, datum))), below: unbored.below - datum.z }
-    : null;
-  const setting = { tool, start, feedUnit: machine.feedUnit, autoFeed, stock, leavesOutAir: machine.traced !== null, solid };
+  const counted = (rings: readonly Ring[]) => rings.map((ring) => ring.map((p) => countedPoint(p, datum)));
+  const [stock, blank] = [standing && counted(standing), counted(machine.now.blank)];
+  const solid = unbored ? { rings: counted(unbored.rings), below: unbored.below - datum.z } : null;
+  const setting = { tool, start, feedUnit: machine.feedUnit, autoFeed, stock, leavesOutAir: machine.traced !== null, solid, blank };
   const plan = values && (cycle.contour === "own" || contour) ? cycle.plan(values, setting, given) : nothing;
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
   // What a tool that was never called would do wrong is no fault of the program.
@@ -92,6 +91,7 @@ function questionOf(machine: Machine, memory: Pick<PlanMemory, "nameOf">, asked:
     memory.nameOf(tool),
     stock ? memory.nameOf(stock) : "",
     solid ? `${memory.nameOf(solid.rings)} ${exactly(solid.below)}` : "",
+    memory.nameOf(machine.now.blank),
   ].join("\n");
 }
 

@@ -62,7 +62,7 @@ export const messages = {
       `Zustellung ${w.size(d.infeed)} ist größer als CUTLENGTH ${w.size(d.cutLength)}: Sie wird auf `
       + `${w.size(d.cutLength)} verringert.`,
     depthOverCutLength: (d, w) =>
-      `Tiefe ${w.size(d.depth)} ist größer als CUTLENGTH ${w.size(d.cutLength)}: Der Rest bleibt stehen.${nearest(d.nearest, w.value)}`,
+      `Tiefe ${w.size(d.depth)} ist größer als CUTLENGTH ${w.size(d.cutLength)}: Der Rest bleibt stehen.`,
     offsetReduced: (d, w) =>
       `Versatz ${w.size(d.offset)} wird auf ${w.size(d.kept)} verringert: 80 % der wirksamen Breite müssen ` + "für "
       + (d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitte`) + " reichen.",

@@ -62,7 +62,7 @@ export const messages = {
     infeedOverCutLength: (d, w) =>
       `La passe ${w.size(d.infeed)} dépasse CUTLENGTH ${w.size(d.cutLength)} : elle est réduite à ${w.size(d.cutLength)}.`,
     depthOverCutLength: (d, w) =>
-      `La profondeur ${w.size(d.depth)} dépasse CUTLENGTH ${w.size(d.cutLength)} : de la matière reste.${nearest(d.nearest, w.value)}`,
+      `La profondeur ${w.size(d.depth)} dépasse CUTLENGTH ${w.size(d.cutLength)} : de la matière reste.`,
     offsetReduced: (d, w) =>
       `Le décalage ${w.size(d.offset)} est réduit à ${w.size(d.kept)} : `
       + `${count(d.passes, "passe se partage", "passes se partagent")} 80 % de la largeur effective.`,

@@ -12,6 +12,7 @@ import type { Tool } from "../tool.ts";
 import { ROUND, SAME } from "../tolerance.ts";
 import { roomOf } from "../track.ts";
 import { aroundAxis, beyondAxis } from "./axis.ts";
+import { besideSlot, centredIn, channelsOf, slimmed, withSlots } from "./channels.ts";
 
 /** Longer than any part: how far bounds run on beyond the contour, mm. */
 export const FAR = 5000;
@@ -50,11 +51,12 @@ export interface Ground {
  */
 export function groundOver(contour: readonly Bound[], tool: Tool, frame: Frame, keep: Keep, s: Surroundings): Ground {
   const round = keep.round ?? 0;
-  const insert = grownRound(grown(insertIn(tool, frame), keep.u, keep.v), round);
+  const shape = insertIn(tool, frame);
+  const kept = (k: Convex) => grownRound(grown(k, keep.u, keep.v), round);
+  const insert = kept(shape);
   const turned = aroundAxis(contour, frame);
   const [first, last] = turned.ends;
-  const start = touch(insert, first, "from");
-  const end = touch(insert, last, "to");
+  const touches = [touch(insert, first, "from"), touch(insert, last, "to")] as const;
   const edge = (from: Flat, to: Flat): Bound => ({ segment: { kind: "line", from, to }, on: "edge" });
   const chain: Bound[] = [...turned.chain];
   // The walls close the area and are no part of the part: they keep no oversize.
@@ -70,6 +72,11 @@ export function groundOver(contour: readonly Bound[], tool: Tool, frame: Frame, 
     chain.push(edge(last.to, { u: close, v: last.to.v }), edge({ u: close, v: last.to.v }, { u: close, v: s.wall }),
       edge({ u: close, v: s.wall }, { u: close + FAR, v: s.wall }));
   else chain.push(edge(last.to, { u: last.to.u + FAR, v: last.to.v }));
+  const slim = slimmed(tool);
+  const [own, deeper] = [reachOver(chain, insert), slim ? reachOver(chain, kept(centredIn(insertIn(slim, frame), shape))) : []];
+  const channels = channelsOf(own, deeper);
+  const bare = withSlots(own, deeper, channels);
+  const [start, end] = besideSlot(...touches, channels);
   const extra: EnvelopePiece[] = [];
   const bound = (u0: number, u1: number, v: number, on: Origin["on"]) => {
     const p = linePiece({ u: u0, v }, { u: u1, v }, { feature: "nose", on, corner: false });
@@ -83,7 +90,6 @@ export function groundOver(contour: readonly Bound[], tool: Tool, frame: Frame, 
   for (const f of s.floors) bound(low, high, f.v - bottom, f.on);
   const axis = roomOf(frame, beyondAxis(tool, contour.map((b) => b.segment), frame)).minV;
   if (axis > -Infinity) bound(low, high, axis, "edge");
-  const bare = reachOver(chain, insert);
   const envelope = extra.length === 0 ? bare : higherOf(bare, upperEnvelope(extra));
   // No element can be touched farther in front of the first point than the insert reaches ahead of its tip.
   const ahead = first.from.u - extent(insert).maxU - SAME;

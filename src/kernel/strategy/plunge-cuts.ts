@@ -6,6 +6,7 @@ import type { Basin } from "./basins.ts";
 import type { Ground } from "./ground.ts";
 import type { Cutter } from "./link.ts";
 import { reachOfStep, type Places, type Spacing } from "./plunge-places.ts";
+import { liftUnder } from "./valley.ts";
 
 /** How a plunge runs. Lengths mm, feeds in the unit of the track. */
 export interface PlungeCut {
@@ -128,7 +129,7 @@ function retract(cutter: Cutter, r: PlungeRough, place: Flat, done: readonly Fla
     cutter.feed({ u: place.u + side * by, v: place.v + by }, r.feed, p(2));
   }
   const out = p(2);
-  cutter.link({ u: cutter.at.u, v: r.top + r.clearance }, { gap: r.clearance, feed: r.feed, out, down: out, enter: out });
+  cutter.link({ u: cutter.at.u, v: r.top }, { gap: r.clearance, feed: r.feed, out, down: out, enter: out });
 }
 
 /** What stands between the plunges on leaning and round walls, and on a floor for a round edge: one cut down each side. */
@@ -142,8 +143,9 @@ function alongWalls(cutter: Cutter, r: PlungeRough, { from, to, floor }: Basin):
     cutter.link(first.from, link);
     cutter.along(path, () => ({ feed: r.feed, purpose }));
     const beside = away > 0 ? r.room.to - cutter.at.u : cutter.at.u - r.room.from;
-    cutter.leave(r.clearance, away, e, r.feed, purpose, Math.min(r.clearance, reachOfStep(r.spacing), beside));
-    cutter.link({ u: cutter.at.u, v: r.top + r.clearance }, link);
+    cutter.leave(liftUnder(r.top, cutter.at.v, r.clearance), away, e, r.feed, purpose,
+      Math.min(r.clearance, reachOfStep(r.spacing), beside));
+    cutter.link({ u: cutter.at.u, v: r.top }, link);
   };
   const left = cutter.frontier.standsOver(e, { from, to: floor.to }, LEFT);
   if (left && left.to > left.from + SAME) cut(pathAlong(e, left.from, left.to).map((s) => s.segment), 1);

@@ -5,6 +5,7 @@ import type { Purpose } from "../track.ts";
 import type { Basin } from "./basins.ts";
 import type { Ground } from "./ground.ts";
 import type { Cutter } from "./link.ts";
+import { liftUnder } from "./valley.ts";
 
 export interface PlungeFinish {
   readonly ground: Ground;
@@ -21,16 +22,16 @@ const p = (step: number): Purpose => ({ phase: "finish", run: "finish", step });
 export function finishByHalves(cutter: Cutter, f: PlungeFinish): void {
   const e = f.ground.envelope;
   const link = (step: number) => ({ gap: f.clearance, feed: f.feed, out: p(step), down: p(step), enter: p(step) });
-  const out = (step: number) => cutter.link({ u: cutter.at.u, v: f.top + f.clearance }, link(step));
+  const out = (step: number) => cutter.link({ u: cutter.at.u, v: f.top }, link(step));
   for (const { from, to, floor, bottom } of f.basins) {
     const middle = (floor.from + floor.to) / 2;
     const level = (s: FlatSegment) => Math.abs(s.from.v - bottom) < SAME && Math.abs(s.to.v - bottom) < SAME;
     const half = (begin: number, path: readonly FlatSegment[], step: number, away: 1 | -1) => {
       const high = Math.max(heightAt(e, begin), path[0]?.from.v ?? bottom);
-      cutter.link({ u: begin, v: Math.min(f.top, high) + f.clearance }, link(step));
+      cutter.link({ u: begin, v: Math.min(f.top, high + f.clearance) }, link(step));
       cutter.along(path, (s) => ({ feed: f.feed, purpose: p(level(s) ? step + 2 : step + 1) }));
       cutter.feed({ u: middle, v: bottom }, f.feed, p(step + 2));
-      cutter.leave(f.clearance, away, e, f.feed, p(step + 2), Math.abs(middle - begin));
+      cutter.leave(liftUnder(f.top, cutter.at.v, f.clearance), away, e, f.feed, p(step + 2), Math.abs(middle - begin));
       out(step + 3);
     };
     half(from, pathAlong(e, from, middle).map((s) => s.segment), 1, -1);

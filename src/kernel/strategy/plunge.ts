@@ -2,7 +2,7 @@ import { toPart } from "../flat.ts";
 import { cuttingWidth, isBar, noseRadius } from "../insert.ts";
 import { issue, type Issue } from "../issue.ts";
 import type { Plan, Setting } from "../plan.ts";
-import { JOINED, SAME } from "../tolerance.ts";
+import { SAME } from "../tolerance.ts";
 import type { Tool, ToolType } from "../tool.ts";
 import { roomOf } from "../track.ts";
 import { length, toDiameter } from "../units.ts";
@@ -36,25 +36,21 @@ const PLUNGING: readonly ToolType[] = ["RECESS", "RECTURN", "BUTTON"];
 /** A tool without a width, as the point that a picture is drawn for, plunges so many times side by side. */
 const NOMINAL = 6;
 
-/** A bar a millionth narrower, so that a groove exactly as wide as it is one: no envelope has a place without any width. */
-const slim = (tool: Tool): Tool =>
-  isBar(tool) && cuttingWidth(tool) > 0 ? { ...tool, CUTWIDTH: length((tool.CUTWIDTH ?? 0) - 10 * JOINED) } : tool;
-
 /** Plans roughing and finishing by plunges. Never throws; what cannot be planned is an issue. */
 export function planPlunging(l: Plunging, setting: Setting): Plan {
+  const { tool } = setting;
   // A hill between two recesses is passed over: no plunge begins as high.
   const site = siteOf(l, setting, (s) => Math.max(s.from.v, s.to.v));
   if (!site) return empty([]);
   const { bounds, first, last, called, keep, opening, top } = site;
   const issues: Issue[] = [];
   const sketch = sketchOf(l, site, l.bite);
-  const refused = unfit(setting.tool, l.frame, PLUNGING);
+  const refused = unfit(tool, l.frame, PLUNGING);
   if (refused) return { ...sketch, issues: [refused] };
   if (called.v < opening - SAME) issues.push(issue("startBelowContour", "info", { below: opening - called.v }, "startV"));
 
-  const tool = slim(setting.tool);
   const limits = limitsOf(l.limit, called, site.flat, issues);
-  const over = surroundingsOf(site, limits, floorOf(tool, site, issues));
+  const over = surroundingsOf(site, limits, floorOf(tool, site, setting, issues));
   const kept = groundOver(bounds, tool, l.frame, keep, over(true));
   const drawn = groundOver(bounds, tool, l.frame, { u: 0, v: 0 }, over(false));
   if (insidePart(drawn, called)) {
@@ -64,8 +60,7 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
   const grown = groundOver(bounds, tool, l.frame, keep, over(false));
   const insert = insertIn(tool, l.frame);
   const frontier = frontierAt(site, setting, insert, { drawn, grown, infeed: SAME, operation: l.operation, ceiling: limits.ceiling });
-  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)), frontier,
-    top + l.clearance);
+  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)), frontier, top);
   const start = { u: called.u, v: top };
   const back = (run: "rough" | "finish", step: number) => {
     const p = { phase: "position", run, step } as const;

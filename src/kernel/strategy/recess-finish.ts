@@ -6,7 +6,7 @@ import { withinLimits } from "./finish.ts";
 import type { Ground } from "./ground.ts";
 import { falls } from "./levels.ts";
 import type { Cutter } from "./link.ts";
-import { RECESS_CLEARANCE } from "./valley.ts";
+import { liftUnder, RECESS_CLEARANCE } from "./valley.ts";
 
 export interface RecessFinish {
   readonly ground: Ground;
@@ -44,15 +44,17 @@ export function finishRecess(cutter: Cutter, f: RecessFinish): void {
   if (left > right + SAME) return;
   const [begins, ends] = [left < f.ground.start.u + SAME, right > f.ground.end.u - SAME];
   const link = (step: number) => ({ gap: RECESS_CLEARANCE, feed: f.feed, out: p(step), down: p(step), enter: p(step) });
-  const out = (step: number) => cutter.link({ u: cutter.at.u, v: f.top + RECESS_CLEARANCE }, link(step));
+  const out = (step: number) => cutter.link({ u: cutter.at.u, v: f.top }, link(step));
   /** To the clearance over the beginning of a wall, at the most as high as the tool travels. */
   const into = (u: number, height: number, step: number) =>
-    cutter.link({ u, v: Math.min(f.top + RECESS_CLEARANCE, Math.max(height, heightAt(e, u)) + RECESS_CLEARANCE) }, link(step));
+    cutter.link({ u, v: Math.min(f.top, Math.max(height, heightAt(e, u)) + RECESS_CLEARANCE) }, link(step));
 
   const whole = right > left + SAME ? pathAlong(e, left, right) : [];
   const runs = whole.length > 0 ? withinLimits(whole, f.ceiling) : [[]];
   runs.forEach((run, i) => {
-    const at = { u: left, v: heightAt(e, left) };
+    // Between two walls the tool has one place: the middle of its slot.
+    const begin = run.length > 0 ? left : (left + right) / 2;
+    const at = { u: begin, v: heightAt(e, begin) };
     const [first, last] = [begins && i === 0, ends && i === runs.length - 1];
     const walls = { left: first ? f.ground.start.v : -Infinity, right: last ? f.ground.end.v : -Infinity };
     for (const cut of cutsOf(run, at, walls, f)) {
@@ -65,7 +67,7 @@ export function finishRecess(cutter: Cutter, f: RecessFinish): void {
       cutter.along(cut.path, (s) => ({ feed: f.feed, purpose: p(step(s)) }));
       cutter.feed(cut.foot, f.feed, p(cut.back ? 6 : 2));
       if (cut.last && last) cutter.feed({ u: right, v: Math.max(cutter.at.v, f.ground.end.v) }, f.feed, p(3));
-      else cutter.leave(RECESS_CLEARANCE, -1, e, f.feed, p(cut.back ? 6 : 4), cut.room);
+      else cutter.leave(liftUnder(f.top, cutter.at.v), -1, e, f.feed, p(cut.back ? 6 : 4), cut.room);
       out(cut.back ? 6 : 4);
     }
   });
@@ -114,7 +116,9 @@ function cutsOf(run: readonly FlatSegment[], at: Flat, walls: EndWalls, f: Reces
     const room = here.u - floor.from;
     const isWall = begin === 0 && walls.left > here.v + SAME;
     if (split.at > begin || isWall) cuts.push({ path: segments.slice(begin, split.at), foot: here, back: false, room, last: false });
-    cuts.push({ path: segments.slice(split.at, top).map(flat.reversed).reverse(), foot: here, back: true, room, last: false });
+    // A tool as wide as the groove has finished both walls on one way down.
+    if (segments.length > 0 || !isWall)
+      cuts.push({ path: segments.slice(split.at, top).map(flat.reversed).reverse(), foot: here, back: true, room, last: false });
     begin = top;
     k = top;
   }

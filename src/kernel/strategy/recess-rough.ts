@@ -7,7 +7,7 @@ import type { Ground } from "./ground.ts";
 import { falls } from "./levels.ts";
 import type { Cutter } from "./link.ts";
 import { heightOf, type Rim, type RecessSection, sectionsOf } from "./sections.ts";
-import { RECESS_CLEARANCE } from "./valley.ts";
+import { liftUnder, RECESS_CLEARANCE } from "./valley.ts";
 
 const { reversed, shifted } = flat;
 
@@ -56,12 +56,12 @@ function roughSection(cutter: Cutter, r: RecessRough, s: RecessSection, before: 
       cutter.link({ u: begin, v: height }, linked(r, 1, purpose(1, pass, true)));
     }
     if (pass > 1) shortened[side] += r.offset;
-    const end = side === "right" ? Math.max(here.from, here.to - shortened.right) : Math.min(here.to, here.from + shortened.left);
-    cutter.feed({ u: end, v: height }, r.feeds.rough, purpose(2, pass));
     const next = s.levels[k + 1];
+    const end = endOf(cutter, side, { here, next: r.oneWay ? undefined : next, shortened });
+    cutter.feed({ u: end, v: height }, r.feeds.rough, purpose(2, pass));
     if (!next) return;
     if (r.oneWay) {
-      cutter.feed({ u: end, v: height + RECESS_CLEARANCE }, r.feeds.rough, purpose(4, pass));
+      cutter.feed({ u: end, v: height + liftUnder(r.top, height) }, r.feeds.rough, purpose(4, pass));
       const begin = Math.min(here.to, here.from + before.left);
       cutter.link({ u: begin, v: height }, linked(r, 4, purpose(4, pass)));
       const wall = before.left > 0 ? [] : pathAlong(e, here.from, next.from).map((x) => x.segment);
@@ -91,7 +91,20 @@ interface Descent {
   readonly shortened: Shortened;
 }
 
-/** Down beside a wall, apart from it by what the passes are shortened there; where it cannot be followed, sideways and down. */
+/**
+ * Where a pass ends: before its wall by what it is shortened, and not before the place where the tool goes on down. Where that uses up
+ * its way, it stays where it has plunged: on the way back it would take what passes before have left on the other side, all at once.
+ */
+function endOf({ at }: Cutter, side: Side, { here, next, shortened }: Omit<Descent, "next"> & { readonly next: Interval | undefined }): number {
+  return side === "right"
+    ? Math.max(at.u, Math.min(here.to, Math.max(here.to - shortened.right, next?.from ?? -Infinity)))
+    : Math.min(at.u, Math.max(here.from, Math.min(here.from + shortened.left, next?.to ?? Infinity)));
+}
+
+/**
+ * Down beside a wall, apart from it by what the passes are shortened there; where it cannot be followed, sideways and down. A pass whose
+ * way was used up goes straight down, or along the wall that is there.
+ */
 function beside(cutter: Cutter, r: RecessRough, side: Side, { here, next, shortened }: Descent, pass: number) {
   const e = r.ground.envelope;
   const wall = side === "right"
@@ -100,6 +113,13 @@ function beside(cutter: Cutter, r: RecessRough, side: Side, { here, next, shorte
   const wanted = side === "right" ? next.to - shortened.right : next.from + shortened.left;
   const target = { u: Math.min(Math.max(wanted, next.from), next.to), v: heightOf(r, pass) };
   const stands = side === "right" ? here.to - shortened.right : here.from + shortened.left;
+  const { u } = cutter.at;
+  if (side === "right" ? u > stands + SAME : u < stands - SAME) {
+    const under = u > next.to
+      ? pathAlong(e, next.to, u).map((s) => reversed(s.segment)).reverse()
+      : u < next.from ? pathAlong(e, u, next.from).map((s) => s.segment) : [];
+    return down(cutter, under, { u: Math.min(Math.max(u, next.from), next.to), v: target.v }, r, pass);
+  }
   // A shoulder between the two levels is no wall: it is left to the cut along the wall.
   const steep = wall.every((s) => falls(s) || Math.abs(s.to.u - s.from.u) < SAME);
   const fits = steep && Math.abs(target.u - wanted) < SAME && Math.abs(cutter.at.u - stands) < SAME;
@@ -119,7 +139,7 @@ const plunging: Purpose = { ...p, plunging: true };
 /** A cut along a wall plunges wherever it falls. */
 const alongWall = (r: RecessRough) => (s: FlatSegment) =>
   falls(s) ? { feed: r.feeds.plunge, purpose: plunging } : { feed: r.feeds.rough, purpose: p };
-const out = (cutter: Cutter, r: RecessRough) => cutter.link({ u: cutter.at.u, v: r.top + RECESS_CLEARANCE }, linked(r, 7, p));
+const out = (cutter: Cutter, r: RecessRough) => cutter.link({ u: cutter.at.u, v: r.top }, linked(r, 7, p));
 /** To where the cut along a wall begins. */
 const onRim = (cutter: Cutter, r: RecessRough, rim: Rim, wall: readonly FlatSegment[]) =>
   cutter.link({ u: rim.u, v: Math.max(rim.v, wall[0]?.from.v ?? rim.v) }, linked(r, 7, plunging));
@@ -130,7 +150,7 @@ function alongFloor(cutter: Cutter, r: RecessRough, s: RecessSection) {
   const floor = pathAlong(e, s.left.u, s.right.u).map((x) => x.segment);
   onRim(cutter, r, s.left, floor);
   cutter.along(floor, alongWall(r));
-  cutter.leave(RECESS_CLEARANCE, -1, e, r.feeds.rough, p, s.right.u - s.left.u);
+  cutter.leave(liftUnder(r.top, cutter.at.v), -1, e, r.feeds.rough, p, s.right.u - s.left.u);
   out(cutter, r);
 }
 
@@ -158,11 +178,13 @@ function alongWalls(cutter: Cutter, r: RecessRough, s: RecessSection, shortened:
     if (deeper) cutter.along(rest, alongWall(r));
     else cutter.feed({ u: end, v: bottom }, r.feeds.rough, p);
     const room = away > 0 ? floor.to - cutter.at.u : cutter.at.u - floor.from;
-    cutter.leave(RECESS_CLEARANCE, away, e, r.feeds.rough, p, room);
+    cutter.leave(liftUnder(r.top, cutter.at.v), away, e, r.feeds.rough, p, room);
     out(cutter, r);
   };
   cutter.feed({ u: cutter.at.u, v: cutter.at.v + Math.min(r.infeed, RECESS_CLEARANCE) }, r.feeds.rough, p);
   out(cutter, r);
+  // A tool as wide as the groove has cut both walls.
+  if (s.right.u - s.left.u <= SAME) return;
   const onward = pathAlong(e, s.left.u, floor.from).map((x) => x.segment);
   cut(1, s.left, onward, segments(floor.from, a));
   const back = backwards(pathAlong(e, floor.to, s.right.u).map((x) => x.segment));

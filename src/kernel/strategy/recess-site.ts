@@ -3,8 +3,8 @@ import type { Interval } from "../envelope.ts";
 import { highestOf, lowestOf, segmentToFlat, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { isBar } from "../insert.ts";
 import { issue, type Issue } from "../issue.ts";
-import type { Plan, Reach, Setting } from "../plan.ts";
-import type { Segment } from "../point.ts";
+import { tracedStock, type Plan, type Reach, type Setting } from "../plan.ts";
+import type { Ring, Segment } from "../point.ts";
 import type { Bound } from "../reach.ts";
 import { SAME } from "../tolerance.ts";
 import type { Tool } from "../tool.ts";
@@ -98,19 +98,43 @@ export function frontierAt(site: SunkSite, setting: Setting, insert: Convex, o: 
   const { first, last, called, top, frame } = site;
   const area = [{ u: first.u, v: top - FAR }, { u: first.u, v: top }, { u: last.u, v: top }, { u: last.u, v: top - FAR }];
   const roughed = o.operation > 1 ? { grown: o.grown.bare, infeed: o.infeed } : null;
-  const stands = atCall({ stock: setting.stock, area, frame, insert }, o.drawn.bare, roughed);
+  const stands = atCall({ stock: tracedStock(setting), area, frame, insert }, o.drawn.bare, roughed);
   const frontier = new Frontier(stands, insert, o.ceiling);
   frontier.cameDown(called);
   return frontier;
 }
 
-/** The level that CUTLENGTH of a bar ends at; null when it reaches the floor. */
-export function floorOf(tool: Tool, { opening, flat }: SunkSite, issues: Issue[]): number | null {
+/**
+ * The height that material stands up to over a contour: in the stock where that is known, else in the blank, of which no more than the
+ * contour tells is taken to be left (decision "CUTLENGTH counts in the material").
+ */
+function standsUpTo({ frame, flat, opening }: SunkSite, { stock, blank }: Setting): number {
+  const us = flat.flatMap((s) => [s.from.u, s.to.u]);
+  const span = { from: Math.min(...us), to: Math.max(...us) };
+  const high = (rings: readonly Ring[]) => Math.max(...rings.map((ring) => highestIn(ring.map((p) => toFlat(frame, p)), span)));
+  if (stock) return high(stock);
+  return blank && blank.length > 0 ? Math.min(opening, high(blank)) : opening;
+}
+
+/** The highest point of an outline over a stretch of u; −∞ where it has none there. */
+const highestIn = (ring: readonly Flat[], { from, to }: Interval): number =>
+  ring.reduce((most, p, i) => {
+    const q = ring[(i + 1) % ring.length] as Flat;
+    const [a, b] = p.u < q.u ? [p, q] : [q, p];
+    if (b.u < from || a.u > to) return most;
+    const at = (u: number) => (b.u - a.u > SAME ? a.v + ((u - a.u) / (b.u - a.u)) * (b.v - a.v) : Math.max(a.v, b.v));
+    return Math.max(most, at(Math.max(a.u, from)), at(Math.min(b.u, to)));
+  }, -Infinity);
+
+/** The level that CUTLENGTH of a bar ends at, counted in the material; null when it reaches the floor. */
+export function floorOf(tool: Tool, site: SunkSite, setting: Setting, issues: Issue[]): number | null {
   const edge = tool.CUTLENGTH;
-  const depth = opening - Math.min(...flat.map(lowestOf));
-  if (!isBar(tool) || edge === undefined || !(edge > 0) || depth <= edge + SAME) return null;
-  issues.push(issue("depthOverCutLength", "warning", { depth, cutLength: edge, nearest: opening - edge }, "depth"));
-  return opening - edge;
+  if (!isBar(tool) || edge === undefined || !(edge > 0)) return null;
+  const stands = standsUpTo(site, setting);
+  const depth = stands - Math.min(...site.flat.map(lowestOf));
+  if (depth <= edge + SAME) return null;
+  issues.push(issue("depthOverCutLength", "warning", { depth, cutLength: edge }, "depth"));
+  return stands - edge;
 }
 
 /** Where the tip may be so that neither corner of the edge crosses a machining limit. */

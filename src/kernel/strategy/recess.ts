@@ -57,7 +57,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   const limits = limitsOf(l.limit, called, flat, issues);
   const insert = insertIn(tool, l.frame);
   const room = tipBetween(limits, insert);
-  const surroundings = surroundingsOf(site, limits, floorOf(tool, site, issues));
+  const surroundings = surroundingsOf(site, limits, floorOf(tool, site, setting, issues));
   const kept = groundOver(bounds, tool, l.frame, keep, surroundings(true));
   const drawn = groundOver(bounds, tool, l.frame, { u: 0, v: 0 }, surroundings(false));
   if (insidePart(drawn, called)) {
@@ -78,8 +78,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   };
   const deepestPath = finishedTo(drawn, { u: 0, v: 0 });
   const frontier = frontierAt(site, setting, insert, { drawn, grown, infeed: l.infeed, operation: l.operation, ceiling: limits.ceiling });
-  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)), frontier,
-    top + RECESS_CLEARANCE);
+  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)), frontier, top);
   const start = { u: called.u, v: top };
   back(cutter, start, l.operation > 1 ? l.feeds.finish : l.feeds.rough, l.operation > 1 ? "finish" : "rough", 0);
 
