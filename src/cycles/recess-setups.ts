@@ -5,6 +5,15 @@ import { dice, type Draw, type DrawnSetup, type Setups } from "./drawn-setup.ts"
 
 const { angle, box, common, elements, half, mm, mostly } = dice;
 
+/** What a control keeps no more of, mm: by so little less a recess is as wide as its tool all the same. */
+const HAIR = 1e-4;
+/** Mostly the usual width; now and then that of the blade between the oversizes, or hardly more or less. `kept`: on both walls. */
+const widthOf = (draw: Draw, usual: number, blade: number, kept: number) =>
+  mostly(draw, usual, blade + kept + draw.one(0, HAIR, -HAIR, 0.05, -0.05, 0.3));
+/** Now and then an infeed that goes into a depth as often as it can, to a hair. */
+const infeedInto = (draw: Draw, usual: number, depth: number) =>
+  mostly(draw, usual, Math.max(0.3, (depth + draw.one(0, HAIR, -HAIR)) / draw.whole(1, 5)));
+
 /** A set-up of a recess, with its first corner. */
 interface RecessSetup extends DrawnSetup {
   readonly corner: Pt;
@@ -39,18 +48,20 @@ const radialTool = (draw: Draw, out: 1 | -1) => ({
 export const axialRecesses = (draw: Draw): RecessSetup => {
   const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
   const [r1, z1] = [half(draw, 20, 50), mm(draw, -20, 5)];
+  const [tool, values, deep] = [axialTool(draw, along), turnedValues(draw), mm(draw, 2, 28)];
   return {
     values: {
-      ...turnedValues(draw),
+      ...values,
       ...walls(draw),
+      Q463: infeedInto(draw, values.Q463, deep),
       Q491: toDiameter(r1),
       Q492: z1,
-      Q493: rounded(toDiameter(radius(r1 - out * mm(draw, 3, 18)))),
-      Q494: rounded(z1 - along * mm(draw, 2, 28)),
+      Q493: toDiameter(radius(r1 - out * widthOf(draw, mm(draw, 3, 18), tool.CUTWIDTH, values.Q483))),
+      Q494: rounded(z1 - along * deep),
     },
     corner: at(z1, r1),
     contour: null,
-    tool: axialTool(draw, along),
+    tool,
     start: at(z1 + along * mm(draw, 0, 6), Math.max(0.5, r1 + mm(draw, -5, 5))),
     blank: box(z1, z1 - along * 60, 0, 110),
   };
@@ -60,18 +71,20 @@ export const axialRecesses = (draw: Draw): RecessSetup => {
 export const radialRecesses = (draw: Draw): RecessSetup => {
   const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
   const [r1, z1] = [half(draw, 22, 50), mm(draw, -20, 5)];
+  const [tool, values, deep] = [radialTool(draw, out), turnedValues(draw), mm(draw, 2, out > 0 ? 18 : 10)];
   return {
     values: {
-      ...turnedValues(draw),
+      ...values,
       ...walls(draw),
+      Q463: infeedInto(draw, values.Q463, deep),
       Q491: toDiameter(r1),
       Q492: z1,
-      Q493: rounded(toDiameter(radius(r1 - out * mm(draw, 2, out > 0 ? 18 : 10)))),
-      Q494: rounded(z1 - along * mm(draw, 3, 28)),
+      Q493: rounded(toDiameter(radius(r1 - out * deep))),
+      Q494: z1 - along * widthOf(draw, mm(draw, 3, 28), tool.CUTWIDTH, 2 * values.Q484),
     },
     corner: at(z1, r1),
     contour: null,
-    tool: radialTool(draw, out),
+    tool,
     start: at(z1 + mm(draw, -6, 6), Math.max(0.5, r1 + out * mm(draw, 0, 6))),
     blank: box(z1 - 60, z1 + 60, r1, out > 0 ? 0 : r1 + 40),
   };

@@ -70,12 +70,14 @@ const partStaysWhole: CutLaw = (w) => {
   return ours > REAL || theirs > REAL ? `gouge ${mm2(theirs)}, by columns ${mm2(ours)}` : null;
 };
 
+/** Groups whose paths do not hang on the blank. */
+const NO_BLANK: readonly string[] = ["longitudinal", "transverse", "recessTurning", "recessing"];
 /**
  * A path does not hang on BLK FORM: a blank that stands higher than the start point, or beside the area, is not looked at. Where the start
  * point lies below the contour, part of the area is higher than it.
  */
 const standsBeside = ({ cycle, situation: { blank }, plans: [plan] }: Worked) =>
-  (cycle.group === "longitudinal" || cycle.group === "transverse") && plan !== undefined
+  NO_BLANK.includes(cycle.group) && plan !== undefined
   && (plan.issues.some((i) => i.code === "startBelowContour") || areaOutside(blank, [plan.area, plan.part]) > REAL);
 
 /**

@@ -95,8 +95,12 @@ interface Standing {
 
 /** What stands at the call. */
 export function frontierAt(site: SunkSite, setting: Setting, insert: Convex, o: Standing): Frontier {
-  const { first, last, called, top, frame } = site;
-  const area = [{ u: first.u, v: top - FAR }, { u: first.u, v: top }, { u: last.u, v: top }, { u: last.u, v: top - FAR }];
+  const { first, last, called, opening, top, frame } = site;
+  // Beside an end that lies lower than the rest the blank may stand.
+  const { minU, maxU } = extent(insert);
+  const beside = (end: Flat) => (opening > end.v + SAME ? maxU - minU : 0);
+  const [from, to] = [first.u - beside(first), last.u + beside(last)];
+  const area = [{ u: from, v: top - FAR }, { u: from, v: top }, { u: to, v: top }, { u: to, v: top - FAR }];
   const roughed = o.operation > 1 ? { grown: o.grown.bare, infeed: o.infeed } : null;
   const stands = atCall({ stock: tracedStock(setting), area, frame, insert }, o.drawn.bare, roughed);
   const frontier = new Frontier(stands, insert, o.ceiling);
