@@ -145,6 +145,56 @@ const boreStaysClear: PlanLaw = (cycle, s, plan) => {
   return nearest < least ? `a way comes to R ${nearest}, where R ${least} is the least` : null;
 };
 
+const isRecess = (cycle: Cycle) => cycle.group === "recessTurning" || cycle.group === "recessing";
+const says = (plan: Plan, ...codes: readonly string[]) => plan.issues.some((i) => codes.includes(i.code));
+const failed = (plan: Plan) => plan.moves.length === 0 || plan.issues.some((i) => i.severity === "error");
+/** How far a point lies out of the material. */
+const heightIn = ({ openSide }: Plan) => (p: Pt): number => p.z * openSide.z + p.r * openSide.r;
+
+/** The oversize on a floor. */
+const keptOn = (s: Situation, plan: Plan): number => (plan.openSide.z === 0 ? (s.values["Q483"] ?? 0) / 2 : (s.values["Q484"] ?? 0));
+
+/** A recess that the tool fits into, exactly or with room to spare, is roughed down to its floor. */
+const floorsAreReached: PlanLaw = (cycle, s, plan) => {
+  if (!isRecess(cycle) || cycle.contour !== "own" || !roughs(s) || (s.values["Q500"] ?? 0) > 0) return null;
+  if (plan.issues.some((i) => i.severity === "error") || says(plan, "recessNarrowerThanTool", "depthOverCutLength")) return null;
+  const height = heightIn(plan);
+  const floor = Math.min(...plan.contour.map((e) => height(e.to))) + keptOn(s, plan);
+  if (floor > Math.max(...plan.contour.map((e) => height(e.to))) - SAME) return null;
+  const deepest = Math.min(...plan.moves.flatMap((m) => (m.phase === "rough" ? [height(m.to)] : [])));
+  return Math.abs(deepest - floor) > 3 * SAME ? `roughed down to ${deepest} where the floor with its oversize is ${floor}` : null;
+};
+
+/** CUTLENGTH counts from the material, not from the start point above it. */
+const cutLengthCountsInMaterial: PlanLaw = (cycle, s, plan) => {
+  const edge = s.tool.CUTLENGTH ?? 0;
+  if (!isRecess(cycle) || !says(plan, "depthOverCutLength")) return null;
+  const height = heightIn(plan);
+  const depth = Math.max(...s.blank.flat().map(height)) - Math.min(...plan.contour.flatMap((e) => [height(e.from), height(e.to)]));
+  return depth < edge - SAME ? `a depth of ${depth} is too much for an edge of ${edge}` : null;
+};
+
+/** A recess is left to the height of the start point, no higher, and the last way back to it is at rapid. */
+const recessesAreLeftAsPrinted: PlanLaw = (cycle, s, plan) => {
+  if (!isRecess(cycle) || failed(plan)) return null;
+  const height = heightIn(plan);
+  // A contour that keeps its oversize is as much higher.
+  const over = s.values["Q215"] === 3 ? keptOn(s, plan) : 0;
+  const top = Math.max(height(s.start), ...part.flattenedChain(plan.contour, SAME / 10).map((p) => height(p) + over));
+  const higher = plan.moves.find((m) => m.kind !== "arc" && height(m.to) > top + SAME);
+  if (higher) return `up to ${height(higher.to)} where the start point stands at ${top}`;
+  const last = plan.moves.at(-1);
+  return last?.phase === "position" && last.kind !== "rapid" ? `back to the start point by ${last.kind}` : null;
+};
+
+/** A recess runs the same path in whatever blank; only an edge that is too short for its depth looks at it. */
+const recessesIgnoreTheBlank: PlanLaw = (cycle, s, plan) => {
+  if (!isRecess(cycle)) return null;
+  const other = planOf(cycle, s, false);
+  if ([plan, other].some((p) => says(p, "depthOverCutLength", "insertAcrossAxis"))) return null;
+  return JSON.stringify(plan.moves) === JSON.stringify(other.moves) ? null : "another path where the blank is not known";
+};
+
 /** By name, so that a case on file says which of them it broke. */
 export const planLaws: Readonly<Record<string, PlanLaw>> = {
   infeedsAreEven,
@@ -155,6 +205,10 @@ export const planLaws: Readonly<Record<string, PlanLaw>> = {
   turnsRound,
   blankIsNoMatter,
   boreStaysClear,
+  floorsAreReached,
+  cutLengthCountsInMaterial,
+  recessesAreLeftAsPrinted,
+  recessesIgnoreTheBlank,
 };
 
 /** Every law of the path that a situation breaks, with what it says. */

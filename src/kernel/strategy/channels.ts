@@ -14,10 +14,13 @@ import type { Flat } from "../flat.ts";
 /** Width of such a slot, mm: wider than what envelopes join, narrower than any move. */
 export const SLOT = 10 * JOINED;
 
-/** A bar or a button that is narrower by SAME; null where no other tool has two sides to fit with. */
+/** How much narrower than the tool a channel may be, mm, with room for the slot in one that is narrower by all of SAME. */
+const NARROWER = SAME + 4 * SLOT;
+
+/** A bar or a button that is narrower by that; null where no other tool has two sides to fit with. */
 export function slimmed(tool: Tool): Tool | null {
-  if (isBar(tool) && cuttingWidth(tool) > 2 * SAME) return { ...tool, CUTWIDTH: length((tool.CUTWIDTH ?? 0) - SAME) };
-  return tool.TYPE === "BUTTON" && noseRadius(tool) > SAME ? { ...tool, RS: length(tool.RS - SAME / 2) } : null;
+  if (isBar(tool) && cuttingWidth(tool) > 2 * NARROWER) return { ...tool, CUTWIDTH: length((tool.CUTWIDTH ?? 0) - NARROWER) };
+  return tool.TYPE === "BUTTON" && noseRadius(tool) > NARROWER ? { ...tool, RS: length(tool.RS - NARROWER / 2) } : null;
 }
 
 /** A shape moved to stand in the middle of another one, on its lowest point. */
@@ -42,7 +45,7 @@ export function channelsOf(e: Envelope, slim: Envelope): number[] {
     let low = Infinity;
     for (let j = i; j < slim.length - 1; j += 1) {
       const [{ piece, u0, u1 }, after] = [slim[j] as Span, slim[j + 1] as Span];
-      if (u1 - from > 2 * SAME + JOINED) break;
+      if (u1 - from > 2 * NARROWER) break;
       low = Math.min(low, valueAt(piece, u0), valueAt(piece, (u0 + u1) / 2), valueAt(piece, u1));
       if (Math.min(valueAt(before.piece, before.u1), valueAt(after.piece, after.u0)) <= low + SAME) continue;
       const middle = (from + u1) / 2;
@@ -62,6 +65,6 @@ function between(e: Envelope, from: number, to: number): Span[] {
 
 /** The ends of a path along a contour; where the tool fits exactly between them, they lie on either side of its slot. */
 export function besideSlot(start: Flat, end: Flat, places: readonly number[]): readonly [Flat, Flat] {
-  const u = places.find((place) => Math.max(Math.abs(place - start.u), Math.abs(place - end.u)) <= SAME);
+  const u = places.find((place) => Math.max(Math.abs(place - start.u), Math.abs(place - end.u)) <= NARROWER);
   return u === undefined ? [start, end] : [{ ...start, u: u - SLOT / 2 }, { ...end, u: u + SLOT / 2 }];
 }

@@ -62,9 +62,10 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
   const frontier = frontierAt(site, setting, insert, { drawn, grown, infeed: SAME, operation: l.operation, ceiling: limits.ceiling });
   const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)), frontier, top);
   const start = { u: called.u, v: top };
+  // The tool stood there, so it comes down on it at rapid.
   const back = (run: "rough" | "finish", step: number) => {
     const p = { phase: "position", run, step } as const;
-    cutter.link(start, { gap: l.clearance, feed: run === "rough" ? l.feed : l.finishingFeed, out: p, down: p, enter: p });
+    cutter.link(start, { gap: 0, feed: run === "rough" ? l.feed : l.finishingFeed, out: p, down: p, enter: p });
   };
   back(l.operation > 1 ? "finish" : "rough", 0);
 

@@ -1,5 +1,6 @@
 import { extent, type Convex } from "../convex.ts";
-import type { Interval } from "../envelope.ts";
+import { loweredBy } from "../cut-envelope.ts";
+import type { Interval, Origin } from "../envelope.ts";
 import { highestOf, lowestOf, segmentToFlat, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
 import { isBar } from "../insert.ts";
 import { issue, type Issue } from "../issue.ts";
@@ -93,6 +94,8 @@ interface Standing {
   readonly ceiling: number;
 }
 
+const TOP: Origin = { feature: "nose", on: "edge", corner: false };
+
 /** What stands at the call. */
 export function frontierAt(site: SunkSite, setting: Setting, insert: Convex, o: Standing): Frontier {
   const { first, last, called, opening, top, frame } = site;
@@ -101,7 +104,9 @@ export function frontierAt(site: SunkSite, setting: Setting, insert: Convex, o: 
   const beside = (end: Flat) => (opening > end.v + SAME ? maxU - minU : 0);
   const [from, to] = [first.u - beside(first), last.u + beside(last)];
   const area = [{ u: from, v: top - FAR }, { u: from, v: top }, { u: to, v: top }, { u: to, v: top - FAR }];
-  const roughed = o.operation > 1 ? { grown: o.grown.bare, infeed: o.infeed } : null;
+  // Over the start point nothing stands that a recess is to be cut out of.
+  const grown = loweredBy(o.grown.bare, [{ arc: 0, u0: from - FAR, u1: to + FAR, v0: top, slope: 0, origin: TOP }], Infinity);
+  const roughed = o.operation > 1 ? { grown, infeed: o.infeed, top } : null;
   const stands = atCall({ stock: tracedStock(setting), area, frame, insert }, o.drawn.bare, roughed);
   const frontier = new Frontier(stands, insert, o.ceiling);
   frontier.cameDown(called);

@@ -127,8 +127,8 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   }, setting, l.frame.transverse ? "startU" : "startV");
 }
 
-/** To the cycle start, before and after. */
+/** To the cycle start, before and after: the tool stood there, so it comes down on it at rapid. */
 function back(cutter: Cutter, start: Flat, feed: number, run: "rough" | "finish", step: number): void {
   const p = { phase: "position", run, step } as const;
-  cutter.link(start, { gap: RECESS_CLEARANCE, feed, out: p, down: p, enter: p });
+  cutter.link(start, { gap: 0, feed, out: p, down: p, enter: p });
 }
