@@ -54,6 +54,11 @@ function ofMotion(r: Report, e: Expected): string[] {
     before: all[i - 1] ?? { ...r.operations[0]?.start, kind: "rapid" } as ReportMove,
   }));
   const feeds = cut.filter((m) => m.kind !== "rapid");
+  if (e.alike) {
+    const ran = r.operations.map(({ start, moves }) => moves.map((m) => `${m.kind} ${m.x.toFixed(4)} ${(m.z - start.z).toFixed(4)}`).join());
+    wrong(new Set(ran).size !== 1, `operations of ${r.operations.map((o) => o.moves.length).join()} moves differ`);
+    wrong(r.operations.some(({ moves }) => moves.at(-1)?.kind !== "rapid"), "comes back at feed");
+  }
   if (e.path) {
     const ends = r.moves.slice(0, e.path.length);
     wrong(ends.length < e.path.length || e.path.some(([x, z], i) => !near(ends[i]?.x, x) || !near(ends[i]?.z, z)),

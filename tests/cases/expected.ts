@@ -33,6 +33,8 @@ export interface Expected {
   readonly finishAlongZ?: { readonly z: number; readonly beyond?: { readonly side: 1 | -1; readonly most: number } };
   /** Circular motion of a block in the X/Z plane: centre [X, Z]. */
   readonly arcInXZ?: Readonly<Record<number, readonly [x: number, z: number]>>;
+  /** Every operation runs the same moves from its own start point, and comes back to it at rapid. */
+  readonly alike?: true;
   /** Motion follows the blocks in order. */
   readonly inOrder?: true;
   /** Nothing stays on the axis. */
@@ -137,6 +139,21 @@ export const expected: Readonly<Record<string, Expected>> = {
     path: [[70, 5], [70, -20], [82, -20], [82, 5], [60, 5]],
     hasNot: ["notUnderstood"],
   },
+  "blade-reaches": {
+    says: "CUTLENGTH counts in the material, not from the start point",
+    ...clean,
+    left: 0.05,
+    hasNot: ["depthOverCutLength", "materialLeft"],
+  },
+  "equal-grooves": { says: "equal grooves run the same path, whatever stood there", ...clean, left: 0, alike: true },
+  "as-wide-as-the-blade": {
+    says: "a groove as wide as the blade is cut to its floor",
+    ...clean,
+    left: 0,
+    hasNot: ["deeperThanInfeed", "materialLeft"],
+  },
+  "hardly-wider-than-the-blade": { says: "a pass without a way plunges no deeper than Q463", ...clean, left: 0, hasNot: ["deeperThanInfeed"] },
+  "oversize-too-wide": { says: "an oversize that leaves no room for the blade is told at the oversize", errorAt: ["Q484"], mostErrors: 1 },
   tiny: { says: "an arc that ends under a micron from the next point makes no move of its own", inOrder: true },
   "j02-nomode": { says: "a cycle without FUNCTION MODE TURN", has: { notInTurnMode: true } },
   "s06-812-RL-active-call": { says: "RR is active at the call", has: { compensationActive: true } },
