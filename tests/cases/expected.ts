@@ -152,7 +152,12 @@ export const expected: Readonly<Record<string, Expected>> = {
     left: 0,
     hasNot: ["deeperThanInfeed", "materialLeft"],
   },
-  "hardly-wider-than-the-blade": { says: "a pass without a way plunges no deeper than Q463", ...clean, left: 0, hasNot: ["deeperThanInfeed"] },
+  "hardly-wider-than-the-blade": {
+    says: "a pass without a way plunges no deeper than Q463",
+    ...clean,
+    left: 0,
+    hasNot: ["deeperThanInfeed"],
+  },
   "oversize-too-wide": { says: "an oversize that leaves no room for the blade is told at the oversize", errorAt: ["Q484"], mostErrors: 1 },
   tiny: { says: "an arc that ends under a micron from the next point makes no move of its own", inOrder: true },
   "j02-nomode": { says: "a cycle without FUNCTION MODE TURN", has: { notInTurnMode: true } },

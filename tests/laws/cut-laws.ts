@@ -242,6 +242,19 @@ const facesAreClean: CutLaw = ({ plans, simulation, situation: { values } }) => 
   return polygonArea(pip) > PIP ? `a pip of ${mm2(polygonArea(pip))} stays on the axis` : null;
 };
 
+/** No roughing cut of a recess turned between its walls takes more at once than its infeed allows. */
+const infeedIsKept: CutLaw = (w) => {
+  const [plan] = w.plans;
+  if (w.cycle.group !== "recessTurning" || w.cycle.contour !== "own" || !plan || w.plans.length > 1) return null;
+  const operation = w.simulation.proof.operations[0];
+  if (plan.issues.some((i) => i.severity === "error") || startsBadly(plan) || standsBeside(w) || operation?.startInMaterial
+    || !operation?.deepest) return null;
+  const { depth, allowed } = operation.deepest;
+  return depth > allowed + TOLD ? `a cut of ${depth.toFixed(3)} mm where ${allowed} are allowed` : null;
+};
+/** Less than this more is not told, mm. */
+const TOLD = 0.05;
+
 /** By name, so that a case on file says which of them it broke. */
 export const cutLaws: Readonly<Record<string, CutLaw>> = {
   partStaysWhole,
@@ -254,6 +267,8 @@ export const cutLaws: Readonly<Record<string, CutLaw>> = {
   oversizeStays,
   limitsHoldOrAreTold,
   facesAreClean,
+
+  infeedIsKept,
 };
 
 /** Every law that a situation breaks, with what it says. */

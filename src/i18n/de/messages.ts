@@ -61,8 +61,7 @@ export const messages = {
     infeedOverCutLength: (d, w) =>
       `Zustellung ${w.size(d.infeed)} ist größer als CUTLENGTH ${w.size(d.cutLength)}: Sie wird auf `
       + `${w.size(d.cutLength)} verringert.`,
-    depthOverCutLength: (d, w) =>
-      `Tiefe ${w.size(d.depth)} ist größer als CUTLENGTH ${w.size(d.cutLength)}: Der Rest bleibt stehen.`,
+    depthOverCutLength: (d, w) => `Tiefe ${w.size(d.depth)} ist größer als CUTLENGTH ${w.size(d.cutLength)}: Der Rest bleibt stehen.`,
     offsetReduced: (d, w) =>
       `Versatz ${w.size(d.offset)} wird auf ${w.size(d.kept)} verringert: 80 % der wirksamen Breite müssen ` + "für "
       + (d.passes === 1 ? "1 Schnitt" : `${d.passes} Schnitte`) + " reichen.",

@@ -59,8 +59,7 @@ export const messages = {
     tooManyPasses: (d, w) => `${d.passes} passes are more than ${d.most}.${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
       `Infeed ${w.size(d.infeed)} is more than CUTLENGTH ${w.size(d.cutLength)}: it is reduced to ${w.size(d.cutLength)}.`,
-    depthOverCutLength: (d, w) =>
-      `Depth ${w.size(d.depth)} is more than CUTLENGTH ${w.size(d.cutLength)}: the rest stays.`,
+    depthOverCutLength: (d, w) => `Depth ${w.size(d.depth)} is more than CUTLENGTH ${w.size(d.cutLength)}: the rest stays.`,
     offsetReduced: (d, w) =>
       `Offset ${w.size(d.offset)} is reduced to ${w.size(d.kept)}: `
       + `${count(d.passes, "pass shares", "passes share")} 80 % of the effective width.`,

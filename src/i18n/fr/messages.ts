@@ -61,8 +61,7 @@ export const messages = {
     tooManyPasses: (d, w) => `${d.passes} passes, c’est plus que ${d.most}.${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
       `La passe ${w.size(d.infeed)} dépasse CUTLENGTH ${w.size(d.cutLength)} : elle est réduite à ${w.size(d.cutLength)}.`,
-    depthOverCutLength: (d, w) =>
-      `La profondeur ${w.size(d.depth)} dépasse CUTLENGTH ${w.size(d.cutLength)} : de la matière reste.`,
+    depthOverCutLength: (d, w) => `La profondeur ${w.size(d.depth)} dépasse CUTLENGTH ${w.size(d.cutLength)} : de la matière reste.`,
     offsetReduced: (d, w) =>
       `Le décalage ${w.size(d.offset)} est réduit à ${w.size(d.kept)} : `
       + `${count(d.passes, "passe se partage", "passes se partagent")} 80 % de la largeur effective.`,

@@ -50,8 +50,7 @@ export const messages = {
       }，会残留材料。${nearest(d.nearest, w.angle)}`,
     tooManyPasses: (d, w) => `${d.passes} 次走刀超过 ${d.most} 次。${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) => `进刀量${w.size(d.infeed)}大于CUTLENGTH ${w.size(d.cutLength)}：自动减小为${w.size(d.cutLength)}。`,
-    depthOverCutLength: (d, w) =>
-      `深度${w.size(d.depth)}大于CUTLENGTH ${w.size(d.cutLength)}：其余材料残留。`,
+    depthOverCutLength: (d, w) => `深度${w.size(d.depth)}大于CUTLENGTH ${w.size(d.cutLength)}：其余材料残留。`,
     offsetReduced: (d, w) => `偏移${w.size(d.offset)}减小为${w.size(d.kept)}：${d.passes}刀共用有效宽度的80%。`,
     offsetOverLimit: (d, w) =>
       `${d.passes}刀的侧向偏移共${w.size(d.offset)}；有效宽度的80%为${w.size(d.max)}。${nearest(d.nearest, w.size)}`,

@@ -57,7 +57,7 @@ function roughSection(cutter: Cutter, r: RecessRough, s: RecessSection, before: 
     }
     if (pass > 1) shortened[side] += r.offset;
     const next = s.levels[k + 1];
-    const end = endOf(cutter, side, { here, next: r.oneWay ? undefined : next, shortened });
+    const end = endOf(cutter, side, { here, next: s.levels.at(-1) ?? here, shortened });
     cutter.feed({ u: end, v: height }, r.feeds.rough, purpose(2, pass));
     if (!next) return;
     if (r.oneWay) {
@@ -92,13 +92,14 @@ interface Descent {
 }
 
 /**
- * Where a pass ends: before its wall by what it is shortened, and not before the place where the tool goes on down. Where that uses up
- * its way, it stays where it has plunged: on the way back it would take what passes before have left on the other side, all at once.
+ * Where a pass ends: before its wall by what it is shortened, and not before the deepest level (`next`), over which nothing may be left
+ * for a plunge to take. Where that uses up its way, it stays where it has plunged: on the way back it would take what passes before have
+ * left on the other side, all at once.
  */
-function endOf({ at }: Cutter, side: Side, { here, next, shortened }: Omit<Descent, "next"> & { readonly next: Interval | undefined }): number {
+function endOf({ at }: Cutter, side: Side, { here, next, shortened }: Descent): number {
   return side === "right"
-    ? Math.max(at.u, Math.min(here.to, Math.max(here.to - shortened.right, next?.from ?? -Infinity)))
-    : Math.min(at.u, Math.max(here.from, Math.min(here.from + shortened.left, next?.to ?? Infinity)));
+    ? Math.max(at.u, Math.min(here.to, Math.max(here.to - shortened.right, next.from)))
+    : Math.min(at.u, Math.max(here.from, Math.min(here.from + shortened.left, next.to)));
 }
 
 /**
@@ -117,7 +118,9 @@ function beside(cutter: Cutter, r: RecessRough, side: Side, { here, next, shorte
   if (side === "right" ? u > stands + SAME : u < stands - SAME) {
     const under = u > next.to
       ? pathAlong(e, next.to, u).map((s) => reversed(s.segment)).reverse()
-      : u < next.from ? pathAlong(e, u, next.from).map((s) => s.segment) : [];
+      : u < next.from
+      ? pathAlong(e, u, next.from).map((s) => s.segment)
+      : [];
     return down(cutter, under, { u: Math.min(Math.max(u, next.from), next.to), v: target.v }, r, pass);
   }
   // A shoulder between the two levels is no wall: it is left to the cut along the wall.
