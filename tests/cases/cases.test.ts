@@ -56,7 +56,7 @@ function ofMotion(r: Report, e: Expected): string[] {
   const feeds = cut.filter((m) => m.kind !== "rapid");
   if (e.alike) {
     const ran = r.operations.map(({ start, moves }) =>
-      moves.map((m) => `${m.kind} ${m.x.toFixed(4)} ${(m.z - start.z).toFixed(4)}`).join()
+      moves.map((m) => `${m.kind} ${(m.x ?? 0).toFixed(4)} ${((m.z ?? 0) - start.z).toFixed(4)}`).join()
     );
     wrong(new Set(ran).size !== 1, `operations of ${r.operations.map((o) => o.moves.length).join()} moves differ`);
     wrong(r.operations.some(({ moves }) => moves.at(-1)?.kind !== "rapid"), "comes back at feed");
