@@ -1,3 +1,5 @@
+import type { ClampPart } from "./clamping.ts";
+
 /**
  * What can be wrong with values, tools and paths: a code with its data, never a sentence. Languages make the sentences
  * (`i18n`), so a new code is a compile error in every language until it has its text. All lengths mm; diameters say so.
@@ -174,6 +176,8 @@ interface Data {
   cutOnLoosePiece: { area: number; block: number; x: number; z: number };
   /** Behind the rear end of the blank, at `rear`, below its diameter; "unheld": its outside is turned away up to there. */
   behindBlank: { motion: "rapid" | "feed" | "unheld"; x: number; z: number; rear: number };
+  /** Tool or holder meets what the work is held by, as it is stated. */
+  clampContact: { part: ClampPart; by: "tool" | "holder"; x: number; z: number };
   /** So many moves do damage that those behind them were not looked at. */
   contactsUnlooked: { limit: number };
   /** A cut takes more stock at once than the infeed allows, mm; `pass` is absent on a smoothing or finishing cut. */

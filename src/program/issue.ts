@@ -51,6 +51,12 @@ interface Data {
   parameterUnset: { name: string };
   divisionByZero: {};
   notFinite: { text: string };
+  /** `; CLAMPING …`: words that were not understood, the rest counts; words without which nothing is known; a second one. */
+  clampingUnread: { what: string };
+  clampingIncomplete: { words: string };
+  clampingTwice: {};
+  /** Jaws or collet are stated where there is nothing of the blank at their ⌀, or more than it. */
+  clampingMisses: { diameter: number };
   blankMissing: {};
   blankNotTurned: { form: string };
   blankImpossible: {};

@@ -1,3 +1,4 @@
+import type { Clamping } from "../kernel/clamping.ts";
 import type { CornerElement } from "../kernel/corner.ts";
 import type { Ring, Segment } from "../kernel/point.ts";
 import type { Spindle } from "../kernel/step.ts";
@@ -143,6 +144,8 @@ export interface Modal {
   /** M89: the defined cycle is called behind every positioning block. */
   readonly callsBehindMoves: boolean;
   readonly blank: readonly Ring[];
+  /** What the work is held by, and the block that states it. */
+  readonly clamping: { readonly index: number; readonly made: Clamping } | null;
   /** How many cycles had been called, and steps run, when the blank was as it is stated. */
   readonly blankSince: { readonly operations: number; readonly steps: number };
   /** File of the program that states it, null for the one that was started; undefined before a BLK FORM. */
@@ -183,6 +186,7 @@ export const AT_START: Modal = {
   defined: null,
   callsBehindMoves: false,
   blank: [],
+  clamping: null,
   blankSince: { operations: 0, steps: 0 },
   blankIn: undefined,
   unturned: null,

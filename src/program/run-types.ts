@@ -1,6 +1,7 @@
 import type { Given } from "../cycles/define.ts";
 import type { Params, Values } from "../cycles/params.ts";
 import type { Cuboid } from "../kernel/box.ts";
+import type { Clamped } from "../kernel/clamping.ts";
 import type { Issue } from "../kernel/issue.ts";
 import type { FeedUnit } from "../kernel/move.ts";
 import type { Plan } from "../kernel/plan.ts";
@@ -99,6 +100,8 @@ export interface Run {
   readonly program: { readonly name: string; readonly unit: "mm" | "inch"; readonly blocks: number };
   /** Outlines of the blank in the half plane, outer rings counter-clockwise; empty when the program states none. */
   readonly blank: readonly Ring[];
+  /** What the work is held by; null where the program states nothing. */
+  readonly clamping: Clamped | null;
   /** The box that BLK FORM 0.1 and 0.2 state, for what is milled; null for other forms. */
   readonly cuboid: Cuboid | null;
   /** Blanks that the program states after it has begun to cut, in the order of the steps. */

@@ -5,6 +5,7 @@ import type { Statement, StatementOf, Words } from "../nc/statement.ts";
 import { assign, assignText } from "./assign.ts";
 import { blankBox, blankCylinder, blankFile, blankOfTurnData, blankRotation, cuboidOf, tellBox, tellMissing,
   turnBlank } from "./blank-block.ts";
+import { clampedOf, takeComment } from "./clamping/read-clamping.ts";
 import { contourCycle, contourDefinition, selectContour } from "./contour-choice.ts";
 import { CONTOUR_CYCLE } from "./contour-names.ts";
 import { callCycle, cycleDefinition } from "./cycle-call.ts";
@@ -49,13 +50,15 @@ export function runToEnd(machine: Machine, course: RunCourse): Run {
     machine.log.say(programIssue("programEndMissing", "warning", {}), program.blocks.length - 1);
   if (machine.log.operations.length > 0 && machine.now.blank.length === 0) tellMissing(machine);
   const { toolChange, spindle, dwell } = machine.log.beside;
+  const blank = machine.log.firstBlank ?? machine.now.blank, clamping = clampedOf(machine, blank);
   return {
     program: {
       name: frame.name,
       unit: machine.now.inch ? "inch" : "mm",
       blocks: program.blocks.filter((b) => b.statement.kind !== "empty" && (b.number !== null || b.statement.kind !== "comment")).length,
     },
-    blank: machine.log.firstBlank ?? machine.now.blank,
+    blank,
+    clamping,
     cuboid: cuboidOf(machine),
     stated: machine.log.stated,
     operations: machine.log.operations,
@@ -83,6 +86,7 @@ const beginsTurning = (program: Program) => {
 
 /** What each kind of block does; a kind without a handler changes nothing. */
 const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: StatementOf<K>, index: number) => void } = {
+  comment: (machine, s, index) => takeComment(machine, s.text, index),
   path,
   chamfer,
   free: runFree,
@@ -146,7 +150,8 @@ const handle = <K extends Statement["kind"]>(machine: Machine, kind: K, s: State
   HANDLERS[kind]?.(machine, s, index);
 
 function block(machine: Machine, s: Statement, index: number): void {
-  const words = wordsOf(s);
+  const words = wordsOf(s), { comment = null } = machine.blocks[index] ?? {};
+  if (comment !== null) takeComment(machine, comment, index);
   before(machine, s, words);
   if (words) functions(machine, words, index);
   handle(machine, s.kind, s, index);

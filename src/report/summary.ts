@@ -57,6 +57,8 @@ function because(r: VerdictReason): string {
       return `a piece that came loose is cut, first${inBlock(r.block)}`;
     case "rapidBehindBlank":
       return `rapid behind the rear end of the blank, first${inBlock(r.block)}`;
+    case "clampContact":
+      return `tool or holder meets the clamping, first${inBlock(r.block)}`;
     case "unproved":
       return `${r.what} was not simulated: nothing is proved from${r.block === null ? " the beginning" : ` block ${r.block}`}${
         inFile(r.file)

@@ -31,8 +31,10 @@ export interface Finished {
 export interface Against {
   readonly steps: readonly Step[];
   readonly finished: Finished;
-  /** Where the blank ends; null where that is not looked at. */
+  /** Where the blank ends; null where there is none. */
   readonly rear: RearEnd | null;
+  /** A clamping is stated: what stands behind the blank is known. */
+  readonly isClamped: boolean;
   /** What has come off and is no longer there. */
   readonly loose: Loose | null;
   readonly outlines: (tool: Tool) => Outlines;
@@ -82,7 +84,7 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
     else if (kind) report(kind, taken);
   }
   report("holderContact", sure(holderHits(step, outlines, now)));
-  if (rear)
+  if (rear && !against.isClamped)
     report(step.move.kind === "rapid" ? "rapidBehindBlank" : "feedBehindBlank", behind(sweep, rear), { ...step, rear: rear.z });
   if (loose && step.move.kind !== "rapid" && sweep.pieces.some((p) => loose.edges.meets(p)) && worksOn(loose, index, cut, against))
     report("cutOnLoosePiece", real(intersection(loose.rings, sweep.rings)));

@@ -34,8 +34,8 @@ const around = (a: Box, b: Box): Box => ({
   high: Math.max(a.high, b.high),
 });
 
-/** A gouge and a rapid take away what they find, so their areas add up; a holder leaves it, and finds it again. */
-const staysThere = (f: AnyFinding) => f.kind === "holderContact";
+/** A gouge and a rapid take away what they find, so their areas add up; a holder leaves it, as a clamping stays, and finds it again. */
+const staysThere = (f: AnyFinding) => f.kind === "holderContact" || f.kind === "clampContact";
 
 /** What goes on over several blocks: a groove is cut in more than one. */
 const goesOn = (f: AnyFinding) => staysThere(f) || f.kind === "cutBelowContour";
@@ -71,7 +71,8 @@ export function collector(): Collector {
   return {
     add(found) {
       for (const f of found) {
-        const key = `${f.kind} ${f.isMeant ?? false} ${f.operation ?? (goesOn(f) ? "" : `block ${f.block}`)}`;
+        const part = f.clamp ? `${f.clamp.part} ${f.clamp.by} ` : "";
+        const key = `${f.kind} ${part}${f.isMeant ?? false} ${f.operation ?? (goesOn(f) ? "" : `block ${f.block}`)}`;
         const group = groups.get(key) ?? [];
         const box = boxAround(f.rings);
         const same = group.find((k) => gapBetween(k.box, box) <= SAME_PLACE) ?? (kept.length >= MOST ? last.get(f.kind) : undefined);

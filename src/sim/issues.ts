@@ -39,11 +39,13 @@ function overrun({ crest, stop, openSide }: ThreadWay, { place, area }: AnyFindi
   });
 }
 
-function whatOf({ kind, area, place, block, other = block, rear = place.z }: AnyFinding): Issue {
+function whatOf({ kind, area, place, block, clamp, other = block, rear = place.z }: AnyFinding): Issue {
   const [x, z] = [toDiameter(place.r), place.z];
+  if (clamp) return issue("clampContact", "error", { ...clamp, x, z });
   switch (kind) {
     case "holderContact":
-      return issue(kind, "error", { x, z });
+    case "clampContact":
+      return issue("holderContact", "error", { x, z });
     case "cutOnLoosePiece":
       return issue(kind, "error", { area, x, z, block: other });
     case "cutBelowContour":

@@ -76,7 +76,7 @@ function commonSteps(a: SimulationInput, b: SimulationInput): number {
 }
 
 /** The box of what an outline sweeps in a step; null where it has none. */
-function sweptBox(outline: Ring, step: Step): Box | null {
+export function sweptBox(outline: Ring, step: Step): Box | null {
   if (outline.length < 3) return null;
   const [own, way] = [boxOf(outline), boxOf(waypoints(step, 1))];
   const [low, high] = [own.low + way.low, own.high + way.high];
@@ -84,7 +84,8 @@ function sweptBox(outline: Ring, step: Step): Box | null {
   return { left: own.left + way.left, right: own.right + way.right, low: low < 0 ? 0 : low, high: Math.max(high, -low) };
 }
 
-const apart = (a: Box, b: Box): boolean => a.right < b.left || b.right < a.left || a.high < b.low || b.high < a.low;
+/** True for boxes with nothing in common. */
+export const apart = (a: Box, b: Box): boolean => a.right < b.left || b.right < a.left || a.high < b.low || b.high < a.low;
 
 /** The steps before one that sweep where two finished parts differ, and those that have cut into the one before. */
 function touching(
@@ -125,6 +126,9 @@ export function nearestRun(known: readonly Former[], input: SimulationInput): Fo
   return known[common.indexOf(Math.max(...common))] ?? null;
 }
 
+/** Whether what holds the work is stated. */
+export const hasClamping = ({ clamping }: SimulationInput): boolean => clamping !== null && clamping !== undefined;
+
 /** Where a run goes on from the one before it; null where they have nothing in common that was kept. */
 export function resumed(
   former: Former,
@@ -132,7 +136,7 @@ export function resumed(
   finished: Finished,
   outlines: (tool: Step["tool"]) => Outlines,
 ): Resumed | null {
-  if (!sameRings(former.input.blank, input.blank)) return null;
+  if (!sameRings(former.input.blank, input.blank) || hasClamping(former.input) !== hasClamping(input)) return null;
   const common = commonSteps(former.input, input);
   // A step of another operation has ended what was measured before it.
   const from = former.snapshots.findLast(({ step, measure }) =>

@@ -3,6 +3,7 @@ import { packed } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 import { check, MOST_CONTACTS } from "./check.ts";
+import { clampContacts } from "./clamp-contacts.ts";
 import { collector } from "./collect.ts";
 import { inStock } from "./contact.ts";
 import { cutsAtRear, unheldAt } from "./behind.ts";
@@ -16,7 +17,7 @@ import { operationBelow } from "./plain-cut.ts";
 import { recalling } from "./recall.ts";
 import { setupsOf } from "./setups.ts";
 import { residualAgain, residualOf, type KnownShapes } from "./residual.ts";
-import { nearestRun, resumed, snapshotSteps, type Former, type Resumed } from "./resume.ts";
+import { hasClamping, nearestRun, resumed, snapshotSteps, type Former, type Resumed } from "./resume.ts";
 import type { AnyFinding, Depth, LoosePiece, StockFinding, StockRemark, Proof, Simulation, SimulationInput, Unheld } from "./simulation.ts";
 import { statedBlanks } from "./stated.ts";
 import { sweptBy, type Sweep } from "./sweep.ts";
@@ -154,7 +155,7 @@ function simulated(
   const { blank, steps, operations, unproved } = input;
   const outlines = outlinesOf();
   const setups = setupsOf(operations, (stock, of) => residual(stock, of, { outlines, thickness }));
-  const always = { steps, operations, outlines };
+  const always = { steps, operations, outlines, isClamped: hasClamping(input) };
   const look: Look = (step, index) => {
     const shapes = outlines(step.tool);
     const sweep = sweptBy(shapes.insert, step);
@@ -200,7 +201,7 @@ function simulated(
   function lookHeld(stock: readonly Ring[], end: number): void {
     const rear = held.rear(), place = unheldAt(held.blank(), stock, rear);
     const lastCut = place ? steps.findLastIndex(({ move }, k) => k < end && move.kind !== "rapid") : -1;
-    if (!rear || !place || lastCut < 0) return;
+    if (!rear || !place || lastCut < 0 || hasClamping(input)) return;
     const operation = cutsAtRear(operations.slice(0, setups.begunBefore(end)), rear);
     unheld.push({ step: operation === null ? lastCut : (operations[operation]?.firstStep ?? 0), operation, place, rear: rear.z });
   }
@@ -244,6 +245,7 @@ function simulated(
   const final = last ?? cut.stock();
   const found = collector();
   for (const each of damage.values()) found.add(each);
+  found.add(clampContacts(steps, input.clamping, outlines));
   const loose = held.parted().flatMap((parted) => loosePieces(parted, steps));
   const blockOf = (operation: number | null) => steps[operations[operation ?? -1]?.firstStep ?? -1]?.block;
   const below = ({ rings, step }: AnyFinding) => blockOf(operationBelow(rings, setups.surfaces, (steps[step] as Step).tool));
@@ -268,7 +270,7 @@ function simulated(
       cut: Math.max(0, areaOf(blank) + statements.added() - areaOf(final) - byRapids - fallen(held.parted())),
       airPasses: measured.reduce((sum, o) => sum + o.airPasses, 0),
       deepest: measured.reduce<Depth | null>((best, { deepest }) => (deepest && deepest.depth > (best?.depth ?? 0) ? deepest : best), null),
-      holder: findings.some((f) => f.kind === "holderContact") ? "contact" : steps.some((s) => !s.tool.holder) ? "unknown" : "clear",
+      holder: findings.some((f) => f.kind === "holderContact" || f.clamp?.by === "holder") ? "contact" : steps.some((s) => !s.tool.holder) ? "unknown" : "clear",
       unproved: [...unproved, ...statements.unproved()],
       stated: statements.all(),
       loose,

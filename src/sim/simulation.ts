@@ -1,4 +1,5 @@
 import type { PackedRings } from "../kernel/clip.ts";
+import type { Clamped, ClampPart } from "../kernel/clamping.ts";
 import type { Issue, Reason } from "../kernel/issue.ts";
 import type { MachiningLimit, Plan } from "../kernel/plan.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
@@ -20,6 +21,8 @@ export interface SimulationInput {
   readonly blank: readonly Ring[];
   /** Blanks that are stated later, in the order of their steps; none where absent. */
   readonly stated?: readonly Stated[];
+  /** What the work is held by, where that is stated. */
+  readonly clamping?: Clamped | null;
   readonly steps: readonly Step[];
   readonly operations: readonly SimulatedOperation[];
   /** What the run read and did not simulate. */
@@ -46,7 +49,7 @@ export interface Checkpoint {
 }
 
 /** What must not happen in a stock. */
-export const STOCK_FAULTS = ["gouge", "rapidInStock", "holderContact", "cutOnLoosePiece", "rapidBehindBlank"] as const;
+export const STOCK_FAULTS = ["gouge", "rapidInStock", "holderContact", "clampContact", "cutOnLoosePiece", "rapidBehindBlank"] as const;
 export type StockFault = (typeof STOCK_FAULTS)[number];
 
 /** What may be meant: plain cuts below the contour of a cycle, and feeds behind the blank. */
@@ -55,6 +58,8 @@ export type StockRemark = "cutBelowContour" | "feedBehindBlank";
 /** Something found by the stock: where the tool cut the finished part, ran into material, or stood behind the blank. */
 export interface StockFinding<Kind = StockFault> {
   readonly kind: Kind;
+  /** What of the clamping was met, and by what; of a clampContact only. */
+  readonly clamp?: { readonly part: ClampPart; readonly by: "tool" | "holder" };
   readonly step: number;
   readonly block: number;
   readonly operation: number | null;
@@ -129,7 +134,7 @@ export interface Proof {
   readonly airPasses: number;
   /** The roughing pass that goes deepest into the stock against what its cycle allows, mm; null without roughing. */
   readonly deepest: Depth | null;
-  /** Whether a holder touched the stock; unknown when a tool that moved has none. */
+  /** Whether a holder touched the stock or the clamping; unknown when a tool that moved has none. */
   readonly holder: "clear" | "contact" | "unknown";
   /**
    * From this step on nobody looked for gouges, rapids in stock and contacts of the holder, because there are too many; null:

@@ -97,6 +97,7 @@ export function exampleResult({ fault, many }: { readonly fault: boolean; readon
   const run: Run = {
     program: { name: "HAND", unit: "mm", blocks: 20 },
     blank,
+    clamping: null,
     cuboid: null,
     stated: [],
     operations: [operation],

@@ -88,6 +88,7 @@ const found: ReadonlySet<string> = new Set([
   "cutBelowContour",
   "cameLoose",
   "partedOff",
+  "clampContact",
   "cutBehindLimit",
   "deeperThanInfeed",
   "crestMissing",

@@ -19,6 +19,7 @@ const SEEN = {
   rapidInStock: 0,
   gouge: 0.999,
   holderContact: 0.5,
+  clampContact: 0.5,
   cutBehindLimit: 0.999,
   cutOnLoosePiece: 0.5,
   rapidBehindBlank: 0.999,
@@ -92,6 +93,7 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
     case "threadOverruns":
     case "rapidInStock":
     case "holderContact":
+    case "clampContact":
     case "cutOnLoosePiece":
     case "cutBelowContour":
     case "behindBlank": {

@@ -70,6 +70,7 @@ const NO_RINGS: readonly Ring[] = [];
 const EMPTY_RUN: Run = {
   program: { name: "", unit: "mm", blocks: 0 },
   blank: [],
+  clamping: null,
   cuboid: null,
   stated: [],
   operations: [],

@@ -19,9 +19,9 @@ const MISSING = 0.01;
 /** A groove that is cut beside the wanted one is its fault within this, mm. */
 const ASIDE = 2;
 
-const FOUND = { rapidInStock: "rapid", holderContact: "holder", gouge: "gouge" } as const satisfies Partial<
-  Record<StockFinding["kind"], RuleName>
->;
+/** The rule of each finding that has one of its own; the others count as errors. */
+const FOUND: Partial<Record<StockFinding["kind"], RuleName>> = { rapidInStock: "rapid", holderContact: "holder", clampContact: "holder",
+  gouge: "gouge" };
 
 const ofFinding = (rule: RuleName, f: StockFinding): TaskMark => ({
   rule,
@@ -36,10 +36,9 @@ const ofFinding = (rule: RuleName, f: StockFinding): TaskMark => ({
 
 /** What the stock shows that must never be. Where a part is wanted, a cut into the contour of its own cycle counts as what is missing. */
 function foundMarks({ simulation }: Answer, wanted: WantedPart | null): TaskMark[] {
-  return (["rapidInStock", "holderContact", "gouge"] as const).flatMap((kind): TaskMark[] => {
-    const rule = FOUND[kind];
+  return (["rapid", "holder", "gouge"] as const).flatMap((rule): TaskMark[] => {
     if (rule === "gouge" && wanted) return [];
-    const found = simulation.findings.filter((f) => f.kind === kind);
+    const found = simulation.findings.filter((f) => FOUND[f.kind] === rule);
     return found.length > 0 ? found.map((f) => ofFinding(rule, f)) : [{ rule, passed: true }];
   });
 }

@@ -23,6 +23,16 @@ const reasons: MessagesTexts["reasons"] = {
 
 const ELEMENT = { angle: "Winkel", length: "Länge", radius: "Radius" };
 
+/** What holds the work. */
+const CLAMPED = {
+  jaws: "die Backen",
+  chuck: "das Futter",
+  collet: "die Spannzange",
+  driver: "den Mitnehmer",
+  tailstock: "den Reitstock",
+  limit: "die angegebene Grenze",
+};
+
 export const messages = {
   severity: { error: "Fehler", warning: "Warnung", info: "Hinweis" },
   reasons,
@@ -212,6 +222,7 @@ export const messages = {
         : `${d.motion === "rapid" ? "Eine Eilgangbewegung fährt" : "Das Werkzeug schneidet"} hinter dem hinteren Ende des Rohteils bei Z${
           w.size(d.rear)
         }, bei ${w.place(d.x, d.z)}: Dort steht das Spannmittel.`,
+    clampContact: (d, w) => `${d.by === "tool" ? "Das Werkzeug" : "Der Halter"} stößt bei ${w.place(d.x, d.z)} an ${CLAMPED[d.part]}. Schnitt davor beenden oder anders spannen.`,
     contactsUnlooked: (d) =>
       `${d.limit} Bewegungen verletzen die Kontur, fahren im Eilgang ins Material oder berühren es mit dem Halter: Ab hier wird `
       + "danach nicht mehr gesucht.",
@@ -289,6 +300,10 @@ export const messages = {
     parameterUnset: (d) => `${d.name} hat hier keinen Wert.`,
     divisionByZero: () => "Division durch 0.",
     notFinite: (d, w) => `„${w.text(d.text)}“ ergibt keine brauchbare Zahl.`,
+    clampingUnread: (d, w) => `CLAMPING: „${w.text(d.what)}“ ist nicht verständlich und zählt nicht.`,
+    clampingIncomplete: (d) => `CLAMPING zählt nicht: ${d.words} fehlt oder ist unmöglich. Von der Spannung ist nichts bekannt.`,
+    clampingTwice: () => "CLAMPING steht zweimal: das erste zählt. Dieses löschen.",
+    clampingMisses: (d, w) => `Die Spannung fasst das Rohteil nicht: Im Spannbereich liegt keine Fläche mit ${w.diameter(d.diameter)}. ⌀, Länge und Lage von CLAMPING prüfen.`,
     blankMissing: () => "Das Programm nennt kein Rohteil.",
     blankNotTurned: (d, w) => `Ein Rohteil der Form ${w.text(d.form)} ist kein Drehkörper um die Achse.`,
     endInFront: (d, w) => `Z${w.signed(d.value)} liegt vor dem Werkstück. ${w.signed(d.nearest)}?`,

@@ -63,6 +63,7 @@ export const which = {
     gouge: "Er verletzt die Kontur.",
     rapidInStock: "Eine Eilgangbewegung fährt ins Material.",
     holderContact: "Der Halter berührt das Material.",
+    clampContact: "Werkzeug oder Halter stößt an die Spannung.",
     nothingCut: "Er trägt nichts ab.",
     unproved: "Nicht alles lässt sich prüfen.",
     leavesMost: "Er lässt das meiste stehen.",

@@ -60,6 +60,7 @@ export const which = {
     gouge: "It cuts into the finished part.",
     rapidInStock: "A rapid move runs into material.",
     holderContact: "The holder touches the material.",
+    clampContact: "Tool or holder meets the clamping.",
     nothingCut: "It cuts nothing.",
     unproved: "Not all of it can be proved.",
     leavesMost: "It leaves most of it.",

@@ -23,6 +23,16 @@ const reasons: MessagesTexts["reasons"] = {
 
 const ELEMENT = { angle: "角度", length: "长度", radius: "半径" };
 
+/** What holds the work. */
+const CLAMPED = {
+  jaws: "卡爪",
+  chuck: "卡盘",
+  collet: "弹簧夹头",
+  driver: "拨盘",
+  tailstock: "尾座",
+  limit: "给定的极限",
+};
+
 export const messages = {
   severity: { error: "错误", warning: "警告", info: "提示" },
   reasons,
@@ -146,6 +156,7 @@ export const messages = {
       d.motion === "unheld"
         ? `外圆一直车到毛坯后端Z${w.size(d.rear)}：没有可夹持的部分。如果以其他方式夹持，请说明夹持方式。`
         : `${d.motion === "rapid" ? "快移" : "刀具切削"}进入毛坯后端Z${w.size(d.rear)}之后，位于${w.place(d.x, d.z)}：那里是夹具。`,
+    clampContact: (d, w) => `${d.by === "tool" ? "刀具" : "刀杆"}在${w.place(d.x, d.z)}处碰到${CLAMPED[d.part]}。请提前结束切削或更改装夹。`,
     contactsUnlooked: (d) => `已有${d.limit}个运动伤及工件、快移进入材料或以刀杆触碰材料：从此处起不再检查。`,
     deeperThanInfeed: (d, w) =>
       "" + (d.pass === undefined ? "一次平滑或精加工" : `第${w.number(d.pass)}刀`)
@@ -207,6 +218,10 @@ export const messages = {
     parameterUnset: (d) => `${d.name}在此处没有值。`,
     divisionByZero: () => "除数为零。",
     notFinite: (d, w) => `“${w.text(d.text)}”得不到可用的数值。`,
+    clampingUnread: (d, w) => `CLAMPING：无法理解“${w.text(d.what)}”，不计入。`,
+    clampingIncomplete: (d) => `CLAMPING不计入：缺少${d.words}或数值不可能。装夹情况未知。`,
+    clampingTwice: () => "CLAMPING出现两次：以第一个为准。请删除此处。",
+    clampingMisses: (d, w) => `装夹没有夹住毛坯：夹持范围内没有${w.diameter(d.diameter)}的表面。请检查CLAMPING的直径、长度和端面。`,
     blankMissing: () => "程序没有定义毛坯。",
     blankNotTurned: (d, w) => `${w.text(d.form)}形式的毛坯不是绕轴的回转体。`,
     endInFront: (d, w) => `Z${w.signed(d.value)} 在工件前方。是否为 ${w.signed(d.nearest)}？`,

@@ -46,6 +46,7 @@ export const which = {
     gouge: "切入了成品工件。",
     rapidInStock: "快移进入材料。",
     holderContact: "刀杆碰到材料。",
+    clampContact: "刀具或刀杆碰到夹具。",
     nothingCut: "没有切除任何材料。",
     unproved: "并非全部可以验证。",
     leavesMost: "大部分材料仍残留。",

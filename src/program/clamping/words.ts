@@ -1,0 +1,30 @@
+import type { ClampingKind } from "../../kernel/clamping.ts";
+
+/*
+ * `; CLAMPING CHUCK OUTSIDE D60 LENGTH25 FACE-75 SIZE200 QUILL40 TIP-2 ANGLE60 LIMITZ-72 LIMITX100`: a comment for a control, the clamping
+ * for those who know it. Lengths in the unit of the program, D, SIZE, QUILL and LIMITX as ⌀.
+ */
+
+/** Words of a clamping with a number, in the order in which they are written. */
+export const CLAMPING_WORDS = ["D", "LENGTH", "FACE", "SIZE", "QUILL", "TIP", "ANGLE", "LIMITZ", "LIMITX"] as const;
+export type ClampingWord = (typeof CLAMPING_WORDS)[number];
+
+/** What a clamping of each kind is called. */
+export const KIND_WORDS: Readonly<Record<ClampingKind, string>> = {
+  chuckOutside: "CHUCK OUTSIDE",
+  chuckInside: "CHUCK INSIDE",
+  softJaws: "SOFT JAWS",
+  collet: "COLLET",
+  centres: "BETWEEN CENTRES",
+};
+
+/** Without these nothing is known of a clamping; between centres the tailstock belongs to it. */
+export const neededWords = (kind: ClampingKind): readonly ClampingWord[] =>
+  kind === "centres" ? ["D", "FACE", "QUILL", "TIP"] : ["D", "LENGTH", "FACE", "SIZE"];
+
+/** Angle of the point of a centre where none is stated, degrees. */
+export const CENTRE_ANGLE = 60;
+
+/** Words that may take any number; ANGLE lies between 10 and 170, the others are more than 0. */
+export const ANY_NUMBER: ReadonlySet<ClampingWord> = new Set(["FACE", "TIP", "LIMITZ"]);
+export const [LEAST_ANGLE, MOST_ANGLE] = [10, 170];

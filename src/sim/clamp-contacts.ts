@@ -1,0 +1,55 @@
+import { areaOf } from "../kernel/area.ts";
+import { boxAround } from "../kernel/box.ts";
+import type { ClampBody, Clamped } from "../kernel/clamping.ts";
+import { intersection } from "../kernel/clip.ts";
+import type { Ring } from "../kernel/point.ts";
+import { real } from "../kernel/real-area.ts";
+import type { Step } from "../kernel/step.ts";
+import { MOST_CONTACTS } from "./check.ts";
+import { merged } from "./cutting.ts";
+import { sidesOf } from "./edges.ts";
+import type { Outlines } from "./outlines.ts";
+import { largest, placeIn } from "./region.ts";
+import { apart, sweptBox } from "./resume.ts";
+import type { AnyFinding } from "./simulation.ts";
+import { sweptBy, type Sweep } from "./sweep.ts";
+
+/** A chord of an arc is this near to it where a holder is looked at, mm. */
+const HOLDER_CHORD = 0.01;
+
+/** What a sweep has in common with a body, without what is only touched. */
+const met = ({ rings }: ClampBody, sweeps: readonly Sweep[]): Ring[] =>
+  real(intersection(rings, merged(sweeps.flatMap((sweep) => sweep.rings))));
+
+/**
+ * Where tools and holders meet what the work is held by, in any move: the bodies stand as they are whatever has been cut, so nothing of
+ * the stock is asked. After as many contacts as are looked for in the stock nobody looks any more.
+ */
+export function clampContacts(
+  steps: readonly Step[],
+  clamped: Clamped | null | undefined,
+  outlines: (tool: Step["tool"]) => Outlines,
+): AnyFinding[] {
+  const bodies = clamped?.bodies.filter(({ rings }) => rings.length > 0) ?? [];
+  const found: AnyFinding[] = [];
+  if (bodies.length === 0) return found;
+  const asked = bodies.map((body) => ({ body, box: boxAround(body.rings), edges: sidesOf(body.rings) }));
+  for (const [index, step] of steps.entries()) {
+    if (found.length >= MOST_CONTACTS) break;
+    const { checked, holder } = outlines(step.tool);
+    for (const [by, parts] of [["tool", [checked]], ["holder", holder]] as const) {
+      const boxes = parts.map((part) => sweptBox(part, step));
+      const near = asked.filter(({ box }) => boxes.some((swept) => swept && !apart(swept, box)));
+      if (near.length === 0) continue;
+      const sweeps = parts.map((part) => sweptBy(part, step, 1, by === "holder" ? HOLDER_CHORD : undefined));
+      for (const { body, edges } of near) {
+        if (!sweeps.some(({ pieces }) => pieces.some((piece) => edges.meets(piece)))) continue;
+        const rings = met(body, sweeps);
+        if (rings.length === 0) continue;
+        const at = { step: index, block: step.block, operation: step.operation, place: placeIn(largest(rings)) };
+        found.push({ kind: "clampContact", clamp: { part: body.part, by }, ...at, area: areaOf(rings), rings, moves: 1 });
+      }
+    }
+  }
+  return found;
+}
