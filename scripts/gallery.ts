@@ -28,7 +28,7 @@ const many = (n: number, one: string) => `${n} ${one}${n === 1 ? "" : "es"}`;
 
 /** The part, what is left of the stock, and the path, from back to front. */
 function picture(made: Run, simulation: Simulation): string {
-  const scene = sceneOf({ blank: made.blank, contours: made.operations.map((o) => o.plan.contour), steps: made.steps });
+  const scene = sceneOf({ blank: made.blank, clamping: made.clamping, contours: made.operations.map((o) => o.plan.contour), steps: made.steps });
   const isPath = (s: Shape) => (PATH_ROLES as readonly string[]).includes(s.role);
   const over = (s: Shape) => isPath(s) || s.role === "blank" || s.role === "contour";
   const left = simulation.proof.residual.map((piece) => piece.ring);
@@ -97,7 +97,6 @@ figcaption { display: flex; flex-wrap: wrap; gap: 2px 12px; padding: 6px 10px; b
 code { font-family: var(--number-font); font-weight: 600; }
 .proved { color: var(--good); } .faults { color: var(--danger); } .incomplete { color: var(--warning); }
 .work path { fill: none; vector-effect: non-scaling-stroke; stroke-linejoin: round; fill-rule: evenodd; }
-.work .chuck, .work .jaw { fill: var(--surface-sunk); stroke: var(--line-strong); }
 .work .stock { fill: var(--material); stroke: var(--line-strong); } .work .blank { stroke: var(--line-strong); stroke-dasharray: 10 3 2 3; }
 .work .residual { fill: var(--surface); stroke: var(--residual); stroke-width: 2.5; }
 .work .contour { stroke: var(--contour); stroke-width: 1.75; }

@@ -12,7 +12,7 @@ import { shippedTools } from "../src/program/shipped-tools.ts";
 import { verdictOf } from "../src/report/verdict.ts";
 import { simulate } from "../src/sim/simulate.ts";
 import { boundsOf } from "../src/view/bounds.ts";
-import { chuckRings } from "../src/view/chuck.ts";
+import { heldPlane } from "../src/view/held-plane.ts";
 import { thumbBox, thumbnailOf, thumbPlace, thumbRings, type Thumbnail, type ViewBox } from "../src/view/thumbnail.ts";
 
 const RAPID = 10_000;
@@ -103,15 +103,13 @@ function live(file: string): LiveRun {
       here = to;
     }
   });
-  const chuck = chuckRings(boundsOf(made.blank.flat()) ?? { left: 0, right: 0, low: 0, high: 0 },
-    boundsOf(steps.map(({ move }) => move.to)));
+  const { plane, hatch } = heldPlane(made.blank, boundsOf(made.blank.flat()) ?? { left: 0, right: 0, low: 0, high: 0 });
   const insert = insertOutline(operation.tool, FINE);
-  const seen = [...made.blank.flat(), ...chuck.body, ...chuck.jaw, ...way.map(([, z, r]) => ({ z, r }) as Pt)];
+  const seen = [...made.blank.flat(), ...hatch.flat(), ...way.map(([, z, r]) => ({ z, r }) as Pt)];
   return {
     cycle: operation.cycle,
     box: thumbBox(seen),
-    chuck: drawn([chuck.body]),
-    jaw: drawn([chuck.jaw]),
+    held: [plane, ...hatch].map(([from, to]) => `M${thumbPlace(from)}L${thumbPlace(to)}`).join(""),
     stocks,
     insert: drawn([insert]),
     rapids,

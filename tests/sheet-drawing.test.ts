@@ -32,7 +32,6 @@ function drawnWork(text: string): DrawnWork {
       segments: contour,
       ...(thread && { thread: { lead: thread.lead, starts: thread.starts } }),
     })),
-    reached: null,
   };
 }
 
@@ -66,7 +65,7 @@ describe("no dimension over another, none outside", () => {
     const works = [...examples.slice(0, 4), ...programs].map(([, text]) => drawnWork(text));
     const scaled = (work: DrawnWork, k: number): DrawnWork => {
       const ring = (points: DrawnWork["blank"][number]) => points.map(({ z, r }) => ({ z: z * k, r: r * k }) as typeof points[number]);
-      return { blank: work.blank.map(ring), finished: work.finished.map(ring), contours: [], reached: null };
+      return { blank: work.blank.map(ring), finished: work.finished.map(ring), contours: [] };
     };
     fc.assert(
       fc.property(fc.constantFrom(...works), fc.double({ min: 0.03, max: 30, noNaN: true }), fc.double({ min: 62, max: 190, noNaN: true }),
@@ -113,7 +112,7 @@ describe("what a drawing says", () => {
   });
 
   test("nothing to draw is said", () => {
-    expect(partDrawing({ blank: [], finished: [], contours: [], reached: null }, words, ROOM)).toBe(null);
+    expect(partDrawing({ blank: [], finished: [], contours: [] }, words, ROOM)).toBe(null);
   });
 });
 

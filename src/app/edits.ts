@@ -1,4 +1,5 @@
 import type { Measurement } from "../kernel/measured.ts";
+import type { ClampingDraft } from "../program/clamping/words.ts";
 import type { BlankDraft, ContourRow, Job, SpindleDraft } from "../program/job.ts";
 import type { Draft } from "../program/read-draft.ts";
 import { changeProgram, edit, useEditor, type Editor } from "./store.ts";
@@ -32,6 +33,10 @@ export const setBlank = (field: keyof BlankDraft, text: string): void =>
 
 export const setStart = (field: "x" | "z", text: string): void =>
   edit((job) => ({ ...job, start: { ...job.start, [field]: text } }), `start ${field}`);
+
+/** What the job is held by; null: nothing is stated. */
+export const setClamping = (clamping: ClampingDraft | null, place: string | null): void =>
+  edit(({ clamping: _, ...job }) => ({ ...job, ...(clamping && { clamping }) }), place);
 
 export const setSpindle = <F extends keyof SpindleDraft>(field: F, value: SpindleDraft[F]): void =>
   edit((job) => ({ ...job, spindle: { ...job.spindle, [field]: value } }), field === "mode" ? null : `spindle ${field}`);

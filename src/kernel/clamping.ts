@@ -4,8 +4,7 @@ import { at, type Ring } from "./point.ts";
 import { real } from "./real-area.ts";
 
 /** How the work is held. */
-export const CLAMPING_KINDS = ["chuckOutside", "chuckInside", "softJaws", "collet", "centres"] as const;
-export type ClampingKind = (typeof CLAMPING_KINDS)[number];
+export type ClampingKind = "chuckOutside" | "chuckInside" | "softJaws" | "collet" | "centres";
 
 /** What holds the work, as it is stated, mm; angles in degrees. Nothing is known of what is not stated. */
 export interface Clamping {
@@ -39,12 +38,12 @@ export interface Clamped {
   readonly bodies: readonly ClampBody[];
 }
 
-/** Usual three-jaw power chucks, mm: ⌀, bore, depth of the body, and the top jaws: over the face, along the radius. */
+/** Usual three-jaw power chucks, mm: ⌀, bore, depth of the body, and the top jaws: over the face, along the radius, across. */
 const CHUCKS = [
-  { size: 160, bore: 45, deep: 81, high: 36, long: 66 },
-  { size: 200, bore: 52, deep: 91, high: 40, long: 80 },
-  { size: 250, bore: 75, deep: 104, high: 44, long: 95 },
-  { size: 315, bore: 91, deep: 112, high: 50, long: 112 },
+  { size: 160, bore: 45, deep: 81, high: 36, long: 66, wide: 31 },
+  { size: 200, bore: 52, deep: 91, high: 40, long: 80, wide: 35 },
+  { size: 250, bore: 75, deep: 104, high: 44, long: 95, wide: 40 },
+  { size: 315, bore: 91, deep: 112, high: 50, long: 112, wide: 50 },
 ] as const;
 /** Diameters of chucks that are usual, mm. */
 export const CHUCK_SIZES: readonly number[] = CHUCKS.map(({ size }) => size);
@@ -52,8 +51,11 @@ export const CHUCK_SIZES: readonly number[] = CHUCKS.map(({ size }) => size);
 /** The chuck of a diameter: the next of the list, at its scale. */
 function chuckOf(size: number) {
   const of = CHUCKS.find((c) => c.size >= size) ?? CHUCKS[CHUCKS.length - 1] ?? CHUCKS[0], k = size / of.size;
-  return { bore: of.bore * k, deep: of.deep * k, high: of.high * k, long: of.long * k };
+  return { bore: of.bore * k, deep: of.deep * k, high: of.high * k, long: of.long * k, wide: of.wide * k };
 }
+
+/** Width of a jaw of a chuck, mm. */
+export const jawWidth = (size: number): number => chuckOf(size).wide;
 
 /** Steps of a hard jaw, from the work on: share of its length along the radius, and of its height over the chuck. */
 const STEPS = [[0.36, 1], [0.7, 0.62], [1, 0.3]] as const;

@@ -1,5 +1,6 @@
 import type { Cycle } from "../cycles/define.ts";
 import type { Measurement } from "../kernel/measured.ts";
+import type { ClampingDraft } from "./clamping/words.ts";
 import { NC_OUTPUTS, type JobLayout, type NcOutput } from "./nc-output.ts";
 import type { Control } from "./plane-types.ts";
 import { exampleDraft, type Draft } from "./read-draft.ts";
@@ -102,6 +103,8 @@ export interface Job extends HandedOn {
   readonly blank: BlankDraft;
   /** Tip at the cycle call: ⌀ and Z, mm. An empty field is proposed. */
   readonly start: { readonly x: string; readonly z: string };
+  /** What it is held by, as typed; absent where nothing is stated. */
+  readonly clamping?: ClampingDraft;
   readonly spindle: SpindleDraft;
   /** M136: feeds in mm/rev. */
   readonly perRevolution: boolean;

@@ -4,6 +4,7 @@ import type { Param } from "../cycles/params.ts";
 import { programText } from "../nc/print.ts";
 import type { AxisWord, CycleParameter, Statement, Value, Words } from "../nc/statement.ts";
 import { LAYOUTS, type Style } from "../nc/style.ts";
+import { clampingText } from "./clamping/words.ts";
 import type { KnownParameters } from "./expression.ts";
 import { knownParameters, usedParameters } from "./job-parameters.ts";
 import type { BlankDraft, Job, SetJob } from "./job.ts";
@@ -113,6 +114,7 @@ export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statem
   return [
     { kind: "begin", name, unit: "MM" },
     blankStatement(job.blank),
+    ...(job.clamping ? [{ kind: "comment" as const, text: ` ${clampingText(job.clamping)}` }] : []),
     { kind: "mode", mode: "TURN", kinematics: null },
     {
       kind: "toolCall",

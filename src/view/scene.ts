@@ -1,3 +1,4 @@
+import type { Clamped } from "../kernel/clamping.ts";
 import { insertOutline } from "../kernel/insert.ts";
 import type { Move } from "../kernel/move.ts";
 import type { Pt, Ring, Segment } from "../kernel/point.ts";
@@ -24,6 +25,8 @@ export interface Shape {
 /** What the still part of the picture is made of. */
 export interface SceneParts {
   readonly blank: readonly Ring[];
+  /** What holds it; null or absent where that is not stated. */
+  readonly clamping?: Clamped | null;
   readonly contours: readonly (readonly Segment[])[];
   readonly steps: readonly Step[];
   /** The lines of their path where they are made already. */
@@ -138,11 +141,11 @@ export const contourShapes = (contours: SceneParts["contours"]): readonly Shape[
   contours.map((contour) => ({ role: "contour", d: segmentData(contour) }));
 
 /** Builds the still part of the picture. */
-export function sceneOf({ blank, contours, steps, path: drawn, ways, sketch = [], near = [], waits = null }: SceneParts): Scene {
+export function sceneOf({ blank, clamping = null, contours, steps, path: drawn, ways, sketch = [], near = [], waits = null }: SceneParts): Scene {
   const material = boundsOf(blank.flat());
   const all = ways ?? tipWays(steps), low = all.reduce((least, way) => Math.min(least, way.low), 0);
   const outline = boundsOf([...contours, sketch].flatMap((c) => [...pointsOf(c)]).concat(near));
-  const chuck = material ? chuckDrawing(material, joined(workingBox(all), outline)) : null;
+  const chuck = material ? chuckDrawing(blank, material, clamping) : null;
   const shapes: Shape[] = [];
   if (blank.length > 0) shapes.push({ role: "blank", d: ringData(blank) });
   if (sketch.length > 0) shapes.push({ role: "sketch", d: segmentData(sketch) });

@@ -86,7 +86,7 @@ const EMPTY_RUN: Run = {
   timing: NO_TIMING,
 };
 
-const partsOf = (run: Run): SceneParts => ({ blank: run.blank, contours: run.operations.map((o) => o.plan.contour), steps: run.steps });
+const partsOf = (run: Run): SceneParts => ({ blank: run.blank, clamping: run.clamping, contours: run.operations.map((o) => o.plan.contour), steps: run.steps });
 
 /** What is known without a run: blank, contour as far as it is typed, and where the tool starts. */
 function knownParts({ blank, start, tool, outline, points }: KnownWork, run: Run): Partial<SceneParts> {
@@ -200,7 +200,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
           ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
           : null}
         >
-          <Legend shapes={scene.shapes} holder={held} chuck={scene.chuck !== null} />
+          <Legend shapes={scene.shapes} holder={held} clamping={scene.chuck && (scene.chuck.unstated ? "unstated" : "stated")} />
         </ViewBar>
         <div ref={stage}
           className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}${ended ? " ended" : ""}${

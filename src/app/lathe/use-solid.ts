@@ -29,6 +29,7 @@ export function useSolid({ run, shown, moving, waiting, measures }: { readonly r
         blank: waiting?.blank.length ? waiting.blank : run.blank,
         steps: run.steps,
         spindles: run.spindles,
+        clamping: run.clamping,
         contours: run.operations.map((o) => o.plan.contour),
       }
       : null, [asked, run, shown, moving, waiting]);

@@ -16,6 +16,7 @@ const HandOnDialog = lazyPart(async () => ({ default: (await import("../handing/
 const PartExport = lazyPart(async () => ({ default: (await import("../export/PartExport.tsx")).PartExport }));
 const TurnRound = lazyPart(async () => ({ default: (await import("./TurnRound.tsx")).TurnRound }));
 const ProgramDrawing = lazyPart(async () => ({ default: (await import("../course/drawing/ProgramDrawing.tsx")).ProgramDrawing }));
+const ClampingDialog = lazyPart(async () => ({ default: (await import("./ClampingDialog.tsx")).ClampingDialog }));
 const OutputDialog = lazyPart(async () => ({ default: (await import("./OutputDialog.tsx")).OutputDialog }));
 const TeachDialog = lazyPart(async () => ({ default: (await import("../course/teach/TeachDialog.tsx")).TeachDialog }));
 
@@ -58,6 +59,8 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
   const [turned, turnRound] = useState<string | null>(null);
   const [drawn, draw] = useState<string | null>(null);
   const [sets, setOutput] = useState(false);
+  const [clamps, setClamps] = useState(false);
+  const ofProgram = useEditor((s) => s.program !== null);
   const [taught, teach] = useState<{ readonly text: string; readonly work: string } | null>(null);
   return (
     <div className="program-more">
@@ -107,6 +110,14 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
       {taught !== null && (
         <Suspense>
           <TeachDialog {...taught} done={() => teach(null)} />
+        </Suspense>
+      )}
+      {ofProgram && (
+        <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => setClamps(true)}>{t.clamping}</button>
+      )}
+      {clamps && (
+        <Suspense>
+          <ClampingDialog done={() => setClamps(false)} />
         </Suspense>
       )}
       <CompareButton showBlock={showBlock} />

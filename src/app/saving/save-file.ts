@@ -2,6 +2,7 @@ import { z } from "zod/mini";
 import type { MeasuredPlace, Measurement } from "../../kernel/measured.ts";
 import { at } from "../../kernel/point.ts";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
+import { CLAMPING_KINDS } from "../../program/clamping/words.ts";
 import type { ContourRow, Job, TaskWork } from "../../program/job.ts";
 import { EARLIER_OUTPUT, isNcOutput, JOB_LAYOUTS, type NcOutput } from "../../program/nc-output.ts";
 import { toolRows } from "../tools/tool-rows.ts";
@@ -87,6 +88,7 @@ const job = z.object({
   tool: z.nullable(z.number()),
   blank: z.object({ outside: text, bore: text, length: text, allowance: text }),
   start: z.object({ x: text, z: text }),
+  clamping: z.optional(z.object({ kind: z.enum(CLAMPING_KINDS), words: z.record(z.string(), text) })),
   spindle: z.object({ mode: z.enum(["constant", "surface"]), speed: text, cuttingSpeed: text, limit: text }),
   perRevolution: z.boolean(),
   rapid: text,

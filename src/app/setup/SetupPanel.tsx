@@ -19,6 +19,8 @@ import { ToolTable } from "./ToolTable.tsx";
 const MachineRapid = lazyPart(async () => ({ default: (await import("../machine/MachineRapid.tsx")).MachineRapid }));
 const SetupStart = lazyPart(async () => ({ default: (await import("../guide/SetupStart.tsx")).SetupStart }));
 
+const JobClamping = lazyPart(async () => ({ default: (await import("./JobClamping.tsx")).JobClamping }));
+
 /** What a part of the set-up is called, with the way to its pages of the guide. */
 function Legend({ name, page }: { readonly name: string; readonly page: string }) {
   return (
@@ -64,6 +66,9 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
         <NumberField field={FIELDS.allowance} name={t.blank.allowance} unit={t.units.mm} {...placeOf("blank.allowance", blank.allowance)}
           onText={(v) => setBlank("allowance", v)} />
       </fieldset>
+      <Suspense>
+        <JobClamping read={read} />
+      </Suspense>
       <fieldset className="setup-group">
         <Legend name={t.spindle.title} page="spindle.cuttingSpeed" />
         <RadioGroup className="choice-pair" aria-label={t.spindle.mode} value={spindle.mode}

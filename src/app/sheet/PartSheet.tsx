@@ -1,7 +1,6 @@
 import { madeOf } from "../../sim/finished.ts";
 import { useId, useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
-import { boundsOf } from "../../view/bounds.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import { partDrawing } from "../../view/sheet/part-drawing.ts";
 import { FIGURES } from "../../view/sheet/sizes.ts";
@@ -28,7 +27,7 @@ export function PartSheet({ outcome, measured, name, t, words }: { readonly outc
         segments: contour,
         ...(thread && { thread: { lead: thread.lead, starts: thread.starts } }),
       })),
-      reached: boundsOf(run.steps.filter(({ move }) => move.kind !== "rapid").flatMap(({ from, move }) => [from, move.to])),
+      clamping: run.clamping,
       measured: drawn,
     }, words, ROOM);
   }, [outcome, words, drawn]);
@@ -51,7 +50,7 @@ export function PartSheet({ outcome, measured, name, t, words }: { readonly outc
       </svg>
       <figcaption>
         <b>{t.scale(scale.paper, scale.part)}</b>
-        <span>{[t.brackets, t.chuckNote, ...(left > 0 ? [t.leftOut(left)] : [])].join(" · ")}</span>
+        <span>{[t.brackets, ...(outcome?.run.clamping ? [] : [t.chuckNote]), ...(left > 0 ? [t.leftOut(left)] : [])].join(" · ")}</span>
       </figcaption>
     </figure>
   );

@@ -1,10 +1,13 @@
 import type { ReactNode } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
+import type { ClampingTexts } from "../../i18n/en/clamping.ts";
+import type { Clamping } from "../../kernel/clamping.ts";
 import { SAME } from "../../kernel/tolerance.ts";
-import { radius, toDiameter } from "../../kernel/units.ts";
+import { diameter, radius, toDiameter } from "../../kernel/units.ts";
 import { boundsOf } from "../../view/bounds.ts";
 import { missingFiles } from "../files/missing-files.ts";
 import { filesOf, type ProgramWork } from "../work.ts";
+import { useClampingTexts } from "../setup/clamping-texts.ts";
 import type { SheetWords } from "./sheet-words.ts";
 import type { SheetSource } from "./use-sheet.ts";
 
@@ -16,11 +19,28 @@ function zeroText(t: SheetTexts["facts"], words: SheetWords, front: number): str
   return words.units(front > 0 ? t.zeroBehind(words.length(front)) : t.zeroBefore(words.length(-front)));
 }
 
+/** A stated clamping in the words of its fields. */
+function clampingSaid(c: Clamping, t: ClampingTexts, words: SheetWords, comma: string): string {
+  const across = (d: number) => words.diameter(diameter(d)), along = (z: number) => words.signed(z);
+  const said = (name: string, value: string) => [`${name.replace(/\s*⌀/u, "")} ${value}`];
+  const { tailstock, limit, size } = c;
+  return [
+    t.kinds[c.kind],
+    ...said(t.grips[c.kind], across(c.diameter)),
+    ...(c.length > 0 ? said(t.words.LENGTH, words.length(c.length)) : []),
+    ...said(t.words.FACE, along(c.face)),
+    ...(size === undefined ? [] : said(c.kind === "collet" ? t.nose : t.words.SIZE, across(size))),
+    ...(tailstock ? [...said(t.words.QUILL, across(tailstock.quill)), ...said(t.words.TIP, along(tailstock.tip))] : []),
+    ...(limit?.z === undefined ? [] : said(t.words.LIMITZ, along(limit.z))),
+    ...(limit?.x === undefined ? [] : said(t.words.LIMITX, across(limit.x))),
+  ].join(comma);
+}
+
 /** What the setter needs beside the drawing. */
 export function SheetFacts({ source: { data, outcome }, work, t, words, comma }: { readonly source: SheetSource;
   readonly work: ProgramWork | null; readonly t: SheetTexts["facts"]; readonly words: SheetWords; readonly comma: string })
 {
-  const run = outcome?.run ?? null;
+  const run = outcome?.run ?? null, clamping = useClampingTexts(), held = run?.clamping?.clamping;
   const box = run ? boundsOf(run.blank.flat()) : null;
   const cuts = run ? boundsOf(run.steps.filter(({ move }) => move.kind !== "rapid").map(({ move }) => move.to)) : null;
   const limits = data.operations.flatMap(({ spindle }) => spindle ? [spindle.kind === "surface" ? spindle.limit : spindle.speed] : [])
@@ -44,7 +64,7 @@ export function SheetFacts({ source: { data, outcome }, work, t, words, comma }:
     [t.preset, data.presets.length > 0 ? t.presets(data.presets.join(comma)) : t.asMachine],
     [t.shift, data.shifts.length > 0 ? data.shifts.map(words.start).join(comma) : t.noShift],
     ...(cuts ? [[t.reach, `Z${words.signed(cuts.left)}`] as const] : []),
-    [t.clamping, BLANK_LINE],
+    held && clamping ? [clamping.title, words.units(clampingSaid(held, clamping, words, comma))] : [t.clamping, BLANK_LINE],
     [t.pressure, BLANK_LINE],
     ...(limits.length > 0 ? [[t.speed, words.most(Math.max(...limits))] as const] : []),
     [t.changes, String(data.toolChanges)],

@@ -1,3 +1,4 @@
+import type { Clamped } from "../../kernel/clamping.ts";
 import type { Ring, Segment } from "../../kernel/point.ts";
 import type { Step } from "../../kernel/step.ts";
 import type { Tool } from "../../kernel/tool.ts";
@@ -30,6 +31,8 @@ export interface ShownWork {
   /** The blank and the tool at its start, as long as nothing moves. */
   readonly waiting: Waiting | null;
   readonly blank: readonly Ring[];
+  /** What holds it; null where that is not stated. */
+  readonly clamping: Clamped | null;
   readonly steps: readonly Step[];
   readonly spindles: readonly SpindleFrom[];
   readonly contours: readonly (readonly Segment[])[];
@@ -226,7 +229,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
         : null;
       [drawnRings, drawnKey] = [[], ""];
       source.forget();
-      const chuck = chuckParts(next.blank, next.steps, next.contours);
+      const chuck = chuckParts(next.blank, next.clamping);
       stage.setChuck(chuck?.parts ?? []);
       box = joined(boundsOf(next.blank.flat()), boundsOf(next.contours.flat().flatMap((s) => [s.from, s.to])));
       const isFlat = next.blank.length === 0;

@@ -90,8 +90,7 @@ export function LivePicture({ run }: { readonly run: LiveRun | undefined }) {
             </clipPath>
             {[1, -1].map((side) => (
               <g key={side} transform={`scale(1 ${side})`}>
-                <path className="live-chuck" d={run.chuck} />
-                <path className="live-chuck" d={run.jaw} />
+                <path className="live-held" d={run.held} />
                 <g className="live-stock" fill={`url(#${id}${side > 0 ? "hatch" : "steel"})`}>
                   <path data-live="after" />
                   <path data-live="before" clipPath={`url(#${id}left)`} />

@@ -16,8 +16,8 @@ export type Waypoint = readonly [
 export interface LiveRun {
   readonly cycle: number;
   readonly box: ViewBox;
-  readonly chuck: string;
-  readonly jaw: string;
+  /** The plane at the rear end of the blank, with its hatch. */
+  readonly held: string;
   /** Path data, from the blank to the finished part. */
   readonly stocks: readonly string[];
   readonly insert: string;

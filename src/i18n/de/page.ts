@@ -165,6 +165,7 @@ export const page = {
     fold: "Programm einklappen",
     unfold: "Programm zeigen",
     setupSheet: "Einrichteblatt",
+    clamping: "Spannung",
     workshopDrawing: "Werkstattzeichnung",
     handOn: "Weitergeben",
     exportPart: "Teil exportieren",

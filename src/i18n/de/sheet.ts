@@ -36,7 +36,7 @@ export const sheet: SheetTexts = {
   drawingOf: (name) => `Rohteil, Futter und Fertigteil von ${name} im Maßstab`,
   scale: (paper, part) => `Maßstab ${paper} : ${part}`,
   brackets: "( ) Rohteil",
-  chuckNote: "Futter beispielhaft",
+  chuckNote: "Spannung nicht angegeben",
   leftOut: (n) => (n === 1 ? "1 Maß hatte keinen Platz" : `${n} Maße hatten keinen Platz`),
   noDrawing: "Es wird nichts gedreht: Es gibt keinen Schnitt zu zeichnen.",
   thread: (diameter, lead, starts) => (starts > 1 ? `${diameter}×${lead} (${starts})` : `${diameter}×${lead}`),

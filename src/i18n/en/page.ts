@@ -163,6 +163,7 @@ export const page = {
     fold: "Fold the program away",
     unfold: "Show the program",
     setupSheet: "Setup sheet",
+    clamping: "Clamping",
     workshopDrawing: "Workshop drawing",
     handOn: "Hand on",
     exportPart: "Export part",

@@ -38,7 +38,7 @@ export const sheet = {
   drawingOf: (name: string) => `Blank, chuck and finished part of ${name} to scale`,
   scale: (paper: number, part: number) => `Scale ${paper} : ${part}`,
   brackets: "( ) blank",
-  chuckNote: "chuck drawn as an example",
+  chuckNote: "clamping not stated",
   leftOut: (n: number) => (n === 1 ? "1 dimension left out for want of room" : `${n} dimensions left out for want of room`),
   noDrawing: "Nothing is turned: there is no section to draw.",
   thread: (diameter: string, lead: string, starts: number) => (starts > 1 ? `${diameter}×${lead} (${starts})` : `${diameter}×${lead}`),

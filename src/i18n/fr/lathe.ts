@@ -39,7 +39,7 @@ export const lathe = {
   rulerFlat: "La mesure se fait dans la coupe : la 3D revient ensuite",
   legend: "Traits",
   holder: "Porte-outil",
-  chuck: "Mandrin : exemple, non contrôlé",
+  held: { stated: "Bridage, tel qu’indiqué", unstated: "Extrémité arrière : bridage non indiqué" },
   paths: {
     title: "Trajectoires affichées",
     all: "Toutes",

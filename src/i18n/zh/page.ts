@@ -165,6 +165,7 @@ export const page = {
     fold: "收起程序",
     unfold: "显示程序",
     setupSheet: "调机单",
+    clamping: "装夹",
     workshopDrawing: "零件图",
     handOn: "转交",
     exportPart: "导出零件",

@@ -36,7 +36,7 @@ export const sheet: SheetTexts = {
   drawingOf: (name) => `${name} 的毛坯、卡盘与成品，按比例`,
   scale: (paper, part) => `比例 ${paper} : ${part}`,
   brackets: "( ) 毛坯",
-  chuckNote: "卡盘仅为示意",
+  chuckNote: "未给定装夹",
   leftOut: (n) => `${n} 个尺寸放不下`,
   noDrawing: "没有车削：无剖面可画。",
   thread: (diameter, lead, starts) => (starts > 1 ? `${diameter}×${lead} (${starts})` : `${diameter}×${lead}`),

@@ -28,3 +28,26 @@ export const CENTRE_ANGLE = 60;
 /** Words that may take any number; ANGLE lies between 10 and 170, the others are more than 0. */
 export const ANY_NUMBER: ReadonlySet<ClampingWord> = new Set(["FACE", "TIP", "LIMITZ"]);
 export const [LEAST_ANGLE, MOST_ANGLE] = [10, 170];
+
+/** A clamping as typed: its kind, and the text of each word. */
+export interface ClampingDraft {
+  readonly kind: ClampingKind;
+  readonly words: Readonly<Record<string, string>>;
+}
+
+/** Every kind. */
+export const CLAMPING_KINDS = ["chuckOutside", "chuckInside", "softJaws", "collet", "centres"] as const;
+
+/** Words that a kind does not have. */
+const NONE_BETWEEN_CENTRES: ReadonlySet<string> = new Set(["LENGTH", "SIZE"]);
+
+/** The words that a clamping of a kind may have, in the order in which they are written. */
+export const wordsOfKind = (kind: ClampingKind): readonly ClampingWord[] =>
+  CLAMPING_WORDS.filter((word) => kind !== "centres" || !NONE_BETWEEN_CENTRES.has(word));
+
+/** A clamping as its comment has it, behind the `;`. */
+export const clampingText = ({ kind, words }: ClampingDraft): string =>
+  ["CLAMPING", KIND_WORDS[kind], ...wordsOfKind(kind).flatMap((word) => {
+    const text = (words[word] ?? "").replace(/[\s;~]+/gu, "");
+    return text === "" ? [] : [word + text];
+  })].join(" ");

@@ -1,38 +1,46 @@
 import { expect, test } from "vitest";
-import { chuckRings } from "../chuck.ts";
-import { chuckDrawing, serration, SERRATION } from "./chuck.ts";
+import { clampingBodies, type Clamping } from "../../kernel/clamping.ts";
+import { at } from "../../kernel/point.ts";
+import { chuckDrawing } from "./chuck.ts";
 
-const blank = { left: -73.4, right: 1.2, low: 0, high: 31.7 }, busy = { left: -41.9, right: 7, low: 3, high: 36 };
-const chuck = chuckDrawing(blank, busy);
+const blank = [[at(-73.4, 0), at(1.2, 0), at(1.2, 31.7), at(-73.4, 31.7)]], material = { left: -73.4, right: 1.2, low: 0, high: 31.7 };
+const clamping: Clamping = { kind: "chuckOutside", diameter: 63.4, length: 21, face: -52.4, size: 200 };
+const stated = { clamping, bodies: clampingBodies(clamping, blank) };
+const chuck = chuckDrawing(blank, material, stated);
 
-test("the jaw grips what the plain chuck grips, and no more", () => {
-  const tip = Math.max(...chuckRings(blank, busy).jaw.map((p) => p.z));
-  const beyond = chuck.jaw.filter(([z]) => z > blank.left);
-  expect(Math.max(...chuck.jaw.map(([z]) => z))).toBeCloseTo(tip, 9);
-  for (const [, r] of beyond) expect(r).toBeGreaterThanOrEqual(blank.high);
-  expect(tip).toBeLessThan(busy.left);
+test("what is not stated is a plane at the rear end, and nothing that could be taken for a chuck", () => {
+  const { unstated, turned, jaws, flanks, backs, all } = chuckDrawing(blank, material, null);
+  expect(unstated?.plane).toEqual([at(-73.4, 0), at(-73.4, 31.7)]);
+  for (const [from, to] of unstated?.hatch ?? []) expect([from.z, to.z < from.z]).toEqual([-73.4, true]);
+  expect([turned, jaws, flanks, backs]).toEqual([[], [], [], []]);
+  expect(all.left).toBeGreaterThan(-73.4 - 12.1);
 });
 
-test("three steps go down outwards, on a body that carries all of the jaw", () => {
-  const heights = [...new Set(chuck.jaw.slice(3, -1).map(([z]) => z))];
-  expect(heights).toHaveLength(3);
-  expect(heights).toEqual([...heights].sort((a, b) => b - a));
-  expect(Math.max(...chuck.jaw.map(([, r]) => r))).toBeLessThan(chuck.body.radius);
-  expect(chuck.body.face).toBeLessThan(blank.left);
-  expect(chuck.bolts).toBeLessThan(chuck.body.radius);
+test("the plane of a tube begins at its bore", () => {
+  const tube = [[at(-10, 4), at(0, 4), at(0, 9), at(-10, 9)]];
+  const { unstated } = chuckDrawing(tube, { left: -10, right: 0, low: 4, high: 9 }, null);
+  expect(unstated?.plane).toEqual([at(-10, 4), at(-10, 9)]);
+});
+
+test("what is stated is drawn where it is checked", () => {
+  expect(chuck.unstated).toBeNull();
+  const drawn = (part: string) => stated.bodies.filter((b) => b.part === part).flatMap(({ rings }) => rings.map((r) => r.map((p) => [p.z, p.r])));
+  expect(chuck.jaws).toEqual(drawn("jaws"));
+  expect(chuck.turned).toEqual(drawn("chuck"));
+  expect(chuck.seen.left).toBeLessThan(-73.4);
 });
 
 test("the jaw to the viewer is a third of a turn on: on the other side, half as far out", () => {
   const middle = (points: readonly (readonly [number, number])[]) => points.reduce((sum, [, r]) => sum + r, 0) / points.length;
-  for (const [i, back] of chuck.backs.entries()) {
-    const out = chuck.jaw[4 + 2 * i]?.[1] ?? NaN;
-    expect(middle(back)).toBeCloseTo(-0.5 * out, 6);
-  }
-  for (const [, r] of chuck.flank) expect(r).toBeLessThan(0);
+  const outer = Math.max(...chuck.jaws.flat().map(([, r]) => r));
+  expect(Math.min(...chuck.backs.map(middle))).toBeCloseTo(-0.5 * outer, 6);
+  expect(chuck.backs).toHaveLength(3);
+  expect(chuck.flanks.map(middle).every((r) => r < 0)).toBe(true);
 });
 
-test("teeth of the serration are whole and about as long as real ones", () => {
-  const teeth = serration(chuck.joint), points = teeth.filter(([z]) => z > chuck.joint.z);
-  expect((chuck.joint.to - chuck.joint.from) / points.length).toBeCloseTo(SERRATION, 1);
-  expect([teeth[0]?.[1], teeth.at(-1)?.[1]]).toEqual([chuck.joint.from, chuck.joint.to]);
+test("a limit is a line and no body", () => {
+  const limited = { ...clamping, limit: { z: -50, x: 40 } };
+  const made = chuckDrawing(blank, material, { clamping: limited, bodies: clampingBodies(limited, blank) });
+  expect(made.limit).toEqual({ z: -50, r: 20 });
+  expect(made.turned).toEqual(chuck.turned);
 });

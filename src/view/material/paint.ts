@@ -161,9 +161,9 @@ function cutFace(easel: Easel, down: 1 | -1, rings: readonly Ring[], { x, y, wid
   pen.stroke();
 }
 
-/** Whether a patch may show something of a chuck: all of it lies to the left of the tips of its jaws and of their screws. */
-const isNear = ({ seen, screw }: ChuckDrawing, { zero, scale }: Camera, { x }: Patch) =>
-  x <= zero.x + Math.max(seen.right, screw[0][0], screw[1][0]) * scale + BESIDE;
+/** Whether a patch may show something of what holds the work. */
+const isNear = ({ all, limit }: ChuckDrawing, { zero, scale }: Camera, { x }: Patch) =>
+  x <= zero.x + Math.max(all.right, limit?.z ?? all.right) * scale + BESIDE;
 
 /**
  * Paints a patch of the picture anew: what was there is taken away, nothing outside it is touched. The pen

@@ -106,12 +106,11 @@ export function turnedPatchOf(
   return patchOf({ left: left - along, right: right + along, low: -far, high: far }, camera, ratio, wholePixels(ratio));
 }
 
-/** The patch that shows a chuck. */
-export function chuckPatch({ body, jaw, base, screw, flank, backs, seen }: ChuckDrawing, camera: Camera, ratio: number): Patch {
-  const places = [...jaw, ...base, ...screw, ...flank, ...backs.flat()], far = Math.max(body.radius, ...places.map(([, r]) => Math.abs(r)));
-  return patchOf({ left: body.back, right: Math.max(seen.right, ...places.map(([z]) => z)), low: -far, high: far }, camera, ratio,
-    wholePixels(ratio));
-}
+/** The patch that shows what holds the work. */
+export const chuckPatch = ({ all, limit }: ChuckDrawing, camera: Camera, ratio: number): Patch => {
+  const far = limit ? all.high * 1.5 : all.high, right = Math.max(all.right, limit?.z ?? all.right);
+  return patchOf({ left: Math.min(all.left, limit?.z ?? all.left), right, low: -far, high: far }, camera, ratio, wholePixels(ratio));
+};
 
 /** What of a patch lies in another one; null when nothing does. */
 export function patchWithin(patch: Patch, room: Patch): Patch | null {

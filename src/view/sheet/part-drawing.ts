@@ -1,9 +1,11 @@
+import type { Clamped } from "../../kernel/clamping.ts";
+import { intersection } from "../../kernel/clip.ts";
 import type { Pt, Ring, Segment } from "../../kernel/point.ts";
 import { at, part } from "../../kernel/point.ts";
 import { type Diameter, toDiameter } from "../../kernel/units.ts";
 import { boundsOf, joined, mirrored } from "../bounds.ts";
 import type { Bounds, Place } from "../camera.ts";
-import { chuckRings } from "../chuck.ts";
+import { heldPlane } from "../held-plane.ts";
 import { textWidth, type LabelBox } from "../help/labels.ts";
 import { featuresOf, type DiameterFeature, type PositionFeature, type TurnedContour } from "./features.ts";
 import { measuredOnPaper, type SheetMeasurement } from "./measured.ts";
@@ -17,8 +19,8 @@ export interface DrawnWork {
   /** What is left of it at the end. */
   readonly finished: readonly Ring[];
   readonly contours: readonly TurnedContour[];
-  /** Everything the tool tip reaches while it cuts; null where it does not. */
-  readonly reached: Bounds | null;
+  /** What holds it; null or absent where that is not stated. */
+  readonly clamping?: Clamped | null;
   /** What was measured on it; nothing where absent. */
   readonly measured?: readonly SheetMeasurement[];
 }
@@ -173,6 +175,16 @@ function zeroSign({ x, y }: Place): readonly DrawnShape[] {
   ];
 }
 
+/** How much of what holds a blank is drawn beside it: out from its outside, and behind the grip or before the tip, as a part of its radius. */
+const [OUT, ALONG] = [1, 0.5];
+
+/** What holds a blank, cut off not far from it: a chuck is far larger than most parts. */
+function clampingNear({ clamping: { face, length, tailstock }, bodies }: Clamped, { left, right, high }: Bounds): readonly Ring[] {
+  const back = Math.min(left, face - length) - ALONG * high, front = Math.max(right, tailstock?.tip ?? right) + ALONG * high;
+  const out = (1 + OUT) * high, near = [at(back, 0), at(front, 0), at(front, out), at(back, out)];
+  return bodies.flatMap(({ part, rings }) => (part === "limit" ? [] : intersection(rings, [near])));
+}
+
 /**
  * A set-up to scale within a width and a greatest height, mm on paper: blank, chuck, finished part in section, zero, with diameters in a
  * column on the right and positions in a row below, none over another. Null where there is nothing to draw.
@@ -186,8 +198,10 @@ export function partDrawing(
   const outline = boundsOf(work.contours.flatMap(({ segments }) => segments.flatMap(({ from, to }) => [from, to])));
   const body = joined(material, joined(boundsOf(work.finished.flat()), outline));
   if (!body) return null;
-  const chuck = material && chuckRings(material, joined(work.reached, outline));
-  const all = mirrored(joined(joined(body, chuck ? boundsOf([...chuck.body, ...chuck.jaw]) : null), boundsOf([at(0, 0)])) ?? body);
+  const held = material && !work.clamping ? heldPlane(work.blank, material) : null;
+  const clamping = material && work.clamping ? clampingNear(work.clamping, material) : [];
+  const holding = boundsOf([...clamping.flat(), ...(held?.hatch.flat() ?? [])]);
+  const all = mirrored(joined(joined(body, holding), boundsOf([at(0, 0)])) ?? body);
   const { diameters, positions } = featuresOf(work.contours, work.finished, work.blank);
   const saidDiameter = ({ at: { r }, thread, ofBlank }: DiameterFeature) => {
     const own = words.diameter(toDiameter(r));
@@ -217,7 +231,8 @@ export function partDrawing(
   const bothHalves = (line: readonly Pt[]) => lineThrough(line.map(onPaper)) + lineThrough(line.map((p) => onPaper(mirror(p))));
   const shapes: DrawnShape[] = [];
   const texts: DrawnText[] = [];
-  if (chuck) shapes.push({ role: "chuck", d: ringsOnPaper([chuck.body]) + ringsOnPaper([chuck.jaw]) });
+  if (clamping.length > 0) shapes.push({ role: "chuck", d: ringsOnPaper(clamping) });
+  if (held) shapes.push({ role: "edge", d: [held.plane, ...held.hatch].map(bothHalves).join("") });
   shapes.push({ role: "section", d: ringsOnPaper(work.finished) });
   shapes.push({ role: "outline", d: work.finished.flatMap(offAxis).map((line) => bothHalves(line)).join("") });
   shapes.push({ role: "edge", d: boreEdges(work.finished, positions, onPaper) });

@@ -1,38 +1,38 @@
 import { describe, expect, test } from "vitest";
+import { clampingBodies, jawWidth, type Clamping } from "../../kernel/clamping.ts";
 import { at } from "../../kernel/point.ts";
 import { chuckParts, JAWS } from "./furniture.ts";
 import { jawOf } from "./jaw.ts";
 import { volumeOf } from "./mesh.ts";
 
-/** The jaws of the chuck in which a bar is held, each turned back upright: x, y and z of every corner of bodies and edges, mm. */
-function jawsOf(diameter: number) {
-  const high = diameter / 2, left = -3.7 * diameter;
-  const made = chuckParts([[at(left, 0), at(0.4, 0), at(0.4, high), at(left, high)]], [], []) ?? expect.fail("a bar is held");
+/** The jaws of a chuck that holds a bar, each turned back upright: x, y and z of every corner of bodies and edges, mm. */
+function jawsOf(diameter: number, size: number) {
+  const high = diameter / 2, left = -3.7 * diameter, blank = [[at(left, 0), at(0.4, 0), at(0.4, high), at(left, high)]];
+  const clamping: Clamping = { kind: "chuckOutside", diameter, length: diameter, face: left + diameter, size };
+  const made = chuckParts(blank, { clamping, bodies: clampingBodies(clamping, blank) }) ?? expect.fail("a bar is held");
   const jaws = made.parts.filter(({ role }) => role === "jaw");
-  return JAWS.flatMap((angle, i) =>
-    jaws.slice(2 * i, 2 * i + 2).flatMap(({ mesh, edges }) => {
-      const list = [...mesh.positions, ...edges], [c, s] = [Math.cos(angle), Math.sin(angle)];
-      return Array.from({ length: list.length / 3 }, (_, k) => {
-        const [x = 0, y = 0, z = 0] = list.slice(3 * k, 3 * k + 3);
-        return { x: c * x + s * y, y: c * y - s * x, z };
-      });
-    })
-  );
+  return jaws.flatMap(({ mesh, edges }, i) => {
+    const angle = JAWS[i % 3] ?? 0, list = [...mesh.positions, ...edges], [c, s] = [Math.cos(angle), Math.sin(angle)];
+    return Array.from({ length: list.length / 3 }, (_, k) => {
+      const [x = 0, y = 0, z = 0] = list.slice(3 * k, 3 * k + 3);
+      return { x: c * x + s * y, y: c * y - s * x, z };
+    });
+  });
 }
 
 describe("the jaws of the chuck", () => {
-  test.each([0.9, 3, 5.5, 7.9, 8.3, 20.4, 75, 305])("stay in their own third of the turn round a bar of ⌀%f", (diameter) => {
-    const corners = jawsOf(diameter);
-    expect(corners.length).toBeGreaterThan(200);
+  test("are not there where no clamping is stated", () => expect(chuckParts([[at(-9, 0), at(0, 0), at(0, 5)]], null)).toBeNull());
+
+  test.each([[3, 160], [20.4, 160], [75, 200], [230, 315]])("stay in their own third of the turn round a bar of ⌀%f", (diameter, size) => {
+    const corners = jawsOf(diameter, size);
+    expect(corners.length).toBeGreaterThan(100);
     for (const { x, y } of corners) expect(Math.abs(Math.atan2(y, x))).toBeLessThan((57 * Math.PI) / 180);
   });
 
-  test.each([[20.4, 8], [75, 15.75], [305, 60]])("have parallel sides where there is room: round ⌀%f they are %f wide",
-    (diameter, wide) => {
-      const corners = jawsOf(diameter), grips = Math.min(...corners.map(({ x }) => x));
-      const across = corners.filter(({ x }) => x < grips + 0.01).map(({ y }) => y);
-      expect(Math.max(...across) - Math.min(...across)).toBeCloseTo(wide, 4);
-    });
+  test("have parallel sides where there is room", () => {
+    const across = jawsOf(75, 200).filter(({ x }) => x > 40).map(({ y }) => y);
+    expect(Math.max(...across) - Math.min(...across)).toBeCloseTo(jawWidth(200), 4);
+  });
 
   test("whose sides run together enclose what they should", () => {
     // As high as it is long: 3.1 mm at 0.6 over the axis. Twice the half width, over the radius.

@@ -1,16 +1,14 @@
-import { areaOfRing } from "../../kernel/area.ts";
+import { jawWidth, type Clamped } from "../../kernel/clamping.ts";
 import { intersection, union } from "../../kernel/clip.ts";
 import { isDrill } from "../../kernel/drill.ts";
 import { holderOutlines, shankAxis } from "../../kernel/holder.ts";
 import { insertOutline } from "../../kernel/insert.ts";
-import { at, part, type Ring, type Segment } from "../../kernel/point.ts";
+import { at, type Ring } from "../../kernel/point.ts";
 import { boxAround, boxOf } from "../../kernel/box.ts";
-import type { Step } from "../../kernel/step.ts";
 import type { Tool } from "../../kernel/tool.ts";
-import { boundsOf, joined } from "../bounds.ts";
+import { boundsOf } from "../bounds.ts";
 import type { Bounds } from "../camera.ts";
 import { chuckDrawing } from "../material/chuck.ts";
-import { tipWays, workingBox } from "../scene.ts";
 import { extruded, plateEdges } from "./extrude.ts";
 import { jawOf } from "./jaw.ts";
 import type { Mesh } from "./mesh.ts";
@@ -49,36 +47,25 @@ const turnedMesh = ({ positions, normals, index }: Mesh, angle: number): Mesh =>
 
 /** Where the three jaws stand, from X up over the operator: none in the quarter that may be cut away. Radians. */
 export const JAWS = [-15, 105, 225].map((degrees) => (degrees * Math.PI) / 180);
-/** How much of the body of a chuck is shown, in its radii, and the width of a base jaw in that of its jaw. */
-const SHOWN = 0.4;
-const BASE = 0.76;
-
-/** The chuck in which a blank is held, with three jaws, and what of it and the blank should be seen; null where there is no blank. */
+/** The bodies that hold a blank, three jaws or others, and what of them should be seen; none of them where nothing is stated. */
 export function chuckParts(
   blank: readonly Ring[],
-  steps: readonly Step[],
-  contours: readonly (readonly Segment[])[],
+  clamped: Clamped | null,
 ): { readonly parts: readonly DrawnPart[]; readonly seen: Bounds } | null {
   const material = boundsOf(blank.flat());
-  if (!material) return null;
-  const outline = contours.flat().map(part.boxOf).reduce((box: Bounds | null, each) => joined(box, each), null);
-  const { body, jaw, base, seen } = chuckDrawing(material, joined(workingBox(tipWays(steps)), outline));
-  const { face, radius, chamfer } = body, back = face - SHOWN * radius;
-  const shell = [at(back, 0), at(face, 0), at(face, radius - chamfer), at(face - chamfer, radius), at(back, radius)];
-  const solid = revolved([shell], { chords: chordsFor(radius), quarterCut: false });
-  const half = halfJaw(material);
-  const plates = ([[jaw, half], [base, BASE * half]] as const).map(([corners, side]) => {
-    const ring = corners.map(([z, r]) => at(z, r));
-    return jawOf(areaOfRing(ring) < 0 ? ring.reverse() : ring, side);
+  if (!material || !clamped) return null;
+  const half = jawWidth(clamped.clamping.size ?? 0) / 2;
+  const parts = clamped.bodies.flatMap(({ part, rings }): readonly DrawnPart[] => {
+    if (part === "limit") return [];
+    if (part === "jaws")
+      return rings.map((ring) => jawOf(ring, half)).flatMap(({ mesh, edges }) =>
+        JAWS.map((angle): DrawnPart => ({ role: "jaw", mesh: turnedMesh(mesh, angle), edges: turnedRound(edges, angle) }))
+      );
+    const solid = revolved(rings, { chords: chordsFor(boxAround(rings).high), quarterCut: false });
+    return [{ role: "chuck", mesh: wholeMesh(solid), edges: solid.edges }];
   });
-  const jaws = JAWS.flatMap((angle) =>
-    plates.map(({ mesh, edges }): DrawnPart => ({ role: "jaw", mesh: turnedMesh(mesh, angle), edges: turnedRound(edges, angle) }))
-  );
-  return { parts: [{ role: "chuck", mesh: wholeMesh(solid), edges: solid.edges }, ...jaws], seen: joined(material, seen) ?? material };
+  return { parts, seen: chuckDrawing(blank, material, clamped).seen };
 }
-
-/** Half the width of a jaw, mm, as in the drawing of the chuck. */
-const halfJaw = ({ high }: Bounds) => Math.min(60, Math.max(8, high * 0.42)) / 2;
 
 /** One side of a drill, which is drawn as a body of revolution. */
 function upperHalf(ring: Ring): readonly Ring[] {

@@ -1,0 +1,39 @@
+import type { ClampingTexts } from "../en/clamping.ts";
+
+export const clamping: ClampingTexts = {
+  title: "Bridage",
+  unstated: "Non indiqué : la pièce brute est supposée tenue à son extrémité arrière. Le contact avec mors, mandrin ou contre-poupée n’est pas contrôlé.",
+  state: "Indiquer un bridage",
+  remove: "Ne rien indiquer",
+  kind: "Tenue par",
+  kinds: {
+    chuckOutside: "Mandrin, serrage extérieur",
+    chuckInside: "Mandrin, serrage intérieur",
+    softJaws: "Mors doux",
+    collet: "Pince",
+    centres: "Entre pointes",
+  },
+  grips: {
+    chuckOutside: "⌀ serré, extérieur",
+    chuckInside: "⌀ serré, intérieur",
+    softJaws: "⌀ serré, extérieur",
+    collet: "⌀ serré",
+    centres: "⌀ de l’entraîneur",
+  },
+  nose: "⌀ du nez",
+  words: {
+    D: "⌀ serré",
+    LENGTH: "Longueur serrée",
+    FACE: "Z de la face avant",
+    SIZE: "⌀ du mandrin",
+    QUILL: "⌀ du fourreau",
+    TIP: "Z de la pointe",
+    ANGLE: "Angle de la pointe",
+    LIMITZ: "Limite : rien à gauche de Z",
+    LIMITX: "Limite : rien en dessous de ⌀",
+  },
+  tailstock: "Avec contre-poupée",
+  known: "Dessiné à l’échelle ; le contact de l’outil ou du porte-outil est une erreur. Mors de mandrins usuels : mesurer les vôtres.",
+  inProgram: "Reste dans le programme en commentaire, ; CLAMPING …, que la commande ignore.",
+  units: { mm: { diameter: "mm ⌀", length: "mm" }, inch: { diameter: "pouce ⌀", length: "pouce" } },
+};
