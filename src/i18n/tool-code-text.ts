@@ -1,5 +1,5 @@
 import type { CodeNote } from "../program/iso-codes/code-cells.ts";
-import type { BarMake, Clamping, Cuts, Hand, PartName } from "../program/iso-codes/code-part.ts";
+import type { BarMake, InsertClamping, Cuts, Hand, PartName } from "../program/iso-codes/code-part.ts";
 import type { Breaker, EdgeFinish, Hole, InsertForm } from "../program/iso-codes/insert-facts.ts";
 import type { NotCovered } from "../program/iso-codes/tool-code.ts";
 
@@ -30,7 +30,7 @@ export interface ToolCodeTexts {
   readonly breakers: Named<Breaker>;
   readonly finishes: Named<EdgeFinish>;
   readonly hands: Named<Hand>;
-  readonly clampings: Named<Clamping>;
+  readonly clampings: Named<InsertClamping>;
   readonly makes: Named<BarMake>;
   readonly cuts: Named<Cuts>;
   readonly special: string;

@@ -67,6 +67,7 @@ export const SEVERITY: Readonly<Record<string, "error" | "warning" | "info">> = 
   rapidInStock: "error",
   gouge: "error",
   holderContact: "error",
+  clampContact: "error",
   materialLeft: "warning",
   threadOverruns: "error",
   crestMissing: "warning",
@@ -80,6 +81,13 @@ export const SEVERITY: Readonly<Record<string, "error" | "warning" | "info">> = 
 const clean = { gouge: false, rapidInStock: false } as const;
 
 export const expected: Readonly<Record<string, Expected>> = {
+  "clamped-bar": {
+    says: "turned to its very end, a bar in stated jaws is met by tool and holder",
+    has: { clampContact: 2 },
+    hasNot: ["rapidInStock", "gouge", "holderContact"],
+    verdict: "faults",
+    ...clean,
+  },
   "p03-812-cyl-chamfer-506-2": { says: "the last level lies on the cylinder, whatever the chamfer", lastLevel: 50.4, ...clean },
   "p06-exactk": {
     says: "steps of Q506 = 2 stay for want of smoothing, not as oversize",

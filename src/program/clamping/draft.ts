@@ -1,4 +1,5 @@
 import { CHUCK_SIZES, type ClampingKind } from "../../kernel/clamping.ts";
+import { radius, toDiameter } from "../../kernel/units.ts";
 import { withBlock, withInserted, withoutBlocks } from "../../nc/edit.ts";
 import type { Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
@@ -28,9 +29,10 @@ const LARGER = 1.3;
 /** A clamping to begin with: a blank gripped outside, at its rear end. `k`: mm in the unit of the program. */
 export function proposedClamping({ left, right, high }: { readonly left: number; readonly right: number; readonly high: number }, k = 1): ClampingDraft {
   const long = Math.min(MOST_GRIPPED, Math.floor((right - left) * GRIPPED) || (right - left) * GRIPPED);
-  const size = CHUCK_SIZES.find((each) => each > 2 * high * LARGER) ?? Math.ceil((2 * high * LARGER) / 100) * 100;
+  const across = toDiameter(radius(high)), least = across * LARGER;
+  const size = CHUCK_SIZES.find((each) => each > least) ?? Math.ceil(least / 100) * 100;
   const text = (mm: number) => String(Number((mm / k).toFixed(4)));
-  return { kind: "chuckOutside", words: { D: text(2 * high), LENGTH: text(long), FACE: text(left + long), SIZE: text(size) } };
+  return { kind: "chuckOutside", words: { D: text(across), LENGTH: text(long), FACE: text(left + long), SIZE: text(size) } };
 }
 
 /** What a comment states as it would be typed; null for one that is none of a clamping. */

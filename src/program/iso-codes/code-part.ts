@@ -24,7 +24,7 @@ export const PART_NAMES = [
 ] as const;
 export type PartName = (typeof PART_NAMES)[number];
 
-export type Clamping = "top" | "topHole" | "hole" | "screw" | "wedge";
+export type InsertClamping = "top" | "topHole" | "hole" | "screw" | "wedge";
 export type Hand = "R" | "L" | "N";
 /** What a bar is made of. */
 export type BarMake = "steel" | "steelCoolant" | "steelDamped" | "steelDampedCoolant" | "carbide" | "carbideCoolant" | "carbideDamped"
@@ -39,7 +39,7 @@ export type CodeMeaning = { readonly is: "form"; readonly form: InsertForm; read
   readonly is: "wiper";
   readonly angle: number | null;
 } | { readonly is: "finish"; readonly finish: EdgeFinish } | { readonly is: "hand"; readonly hand: Hand } | { readonly is: "clamping";
-  readonly clamping: Clamping } | { readonly is: "style"; readonly angle: number; readonly cuts: Cuts } | { readonly is: "bar";
+  readonly clamping: InsertClamping } | { readonly is: "style"; readonly angle: number; readonly cuts: Cuts } | { readonly is: "bar";
   readonly make: BarMake } | { readonly is: "special" } | { readonly is: "nothing" };
 
 /** One part of a code as it was read; `sure` is false where sources differ or the fact is only recalled. */

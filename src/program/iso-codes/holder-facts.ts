@@ -1,4 +1,4 @@
-import type { BarMake, Clamping, Cuts } from "./code-part.ts";
+import type { BarMake, InsertClamping, Cuts } from "./code-part.ts";
 
 /*
  * Facts of ISO 5608 (holders), ISO 5609 and 6261 (boring bars) and ISO 5610 (shanks). Sources, and where they differ: docs/decisions,
@@ -6,7 +6,7 @@ import type { BarMake, Clamping, Cuts } from "./code-part.ts";
  */
 
 /** How the insert is held; X is special. */
-export const CLAMPINGS: Readonly<Record<string, Clamping>> = { C: "top", D: "topHole", M: "topHole", P: "hole", S: "screw", W: "wedge" };
+export const CLAMPINGS: Readonly<Record<string, InsertClamping>> = { C: "top", D: "topHole", M: "topHole", P: "hole", S: "screw", W: "wedge" };
 
 /** Where the tip lies over the shank: over its middle, over one side of it, or beyond that side. */
 type Seat = "middle" | "straight" | "offset";

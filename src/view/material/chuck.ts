@@ -1,5 +1,6 @@
 import { jawWidth, type Clamped } from "../../kernel/clamping.ts";
 import type { Ring } from "../../kernel/point.ts";
+import { diameter, toRadius } from "../../kernel/units.ts";
 import { boundsOf, joined } from "../bounds.ts";
 import type { Bounds } from "../camera.ts";
 import { heldPlane, type HeldPlane } from "../held-plane.ts";
@@ -59,7 +60,7 @@ export function chuckDrawing(blank: readonly Ring[], material: Bounds, clamped: 
     jaws: jaws.map(placesOf),
     flanks: jaws.map((ring) => ring.map(({ z, r }) => turned(z, r, half))),
     backs: outwards.map(([p, q]) => [turned(q.z, p.r, half), turned(p.z, p.r, half), turned(p.z, p.r, -half), turned(q.z, p.r, -half)]),
-    limit: limit ? { ...(limit.z !== undefined && { z: limit.z }), ...(limit.x !== undefined && { r: limit.x / 2 }) } : null,
+    limit: limit ? { ...(limit.z !== undefined && { z: limit.z }), ...(limit.x !== undefined && { r: toRadius(diameter(limit.x)) }) } : null,
     all,
     seen: {
       left: Math.min(material.left, tip) - by,
