@@ -2,6 +2,7 @@ import { deflateSync, strToU8 } from "fflate";
 import * as fc from "fast-check";
 import { expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
+import { CLAMPING_KINDS } from "../../program/clamping/words.ts";
 import { exampleJob } from "../../program/job.ts";
 import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS, type CellName } from "../../program/tool-columns.ts";
 import { shippedList } from "../../program/tool-list.ts";
@@ -36,7 +37,10 @@ const program: fc.Arbitrary<Work> = fc.tuple(textFile, fc.record({
   remarks: fc.option(anyText, { nil: undefined }),
   ...brought,
 })).map(([file, others]) => bare({ ...file, ...others }) as unknown as ProgramWork);
-const job: fc.Arbitrary<Work> = fc.tuple(fc.constantFrom(...cuttingCycles), fc.record({ name: anyText, rapid: awkward, ...brought })).map(
+const clamping = fc.option(fc.record({ kind: fc.constantFrom(...CLAMPING_KINDS), words: fc.dictionary(fc.constantFrom("D", "FACE", "TIP"), anyText) }), {
+  nil: undefined,
+});
+const job: fc.Arbitrary<Work> = fc.tuple(fc.constantFrom(...cuttingCycles), fc.record({ name: anyText, rapid: awkward, clamping, ...brought })).map(
   ([cycle, others]) => bare({ ...exampleJob(cycle), ...others }) as unknown as Work
 );
 

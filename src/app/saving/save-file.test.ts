@@ -71,6 +71,16 @@ test("what a work is turned from is saved with it, of materials this device does
   }
 });
 
+test("what a work is held by is saved with it, half typed as well; a save without it is as before", () => {
+  const words = { D: "60", LENGTH: "", FACE: "-7", TIP: "abc" };
+  for (const clamping of [{ kind: "softJaws", words }, { kind: "centres", words: {} }]) {
+    const job = { ...saved()[0]?.job, clamping };
+    expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
+  }
+  expect(readSave(saved()[0])?.job).not.toHaveProperty("clamping");
+  expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...saved()[0]?.job, clamping: { kind: "vice", words } } })).toBeNull();
+});
+
 test("the files beside a program and the switch of its skip mark are saved with it; a save without them is as before", () => {
   const program = { name: "MAIN.H", text: "CALL PGM A", encoding: "utf-8" as const };
   const file = { name: "a.h", text: "L X+1 ;\u00d8", encoding: "windows-1252" as const };
