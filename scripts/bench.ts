@@ -81,7 +81,12 @@ const stock = (text: string) => {
 /** From a changed value to everything that is drawn: text, moves, stock, proof, picture. */
 const update = (job: SetJob, count: number) => {
   const { made, simulation } = stock(printJob(changed(job, count), labels));
-  const scene = sceneOf({ blank: made.blank, clamping: made.clamping, contours: made.operations.map((o) => o.plan.contour), steps: made.steps });
+  const scene = sceneOf({
+    blank: made.blank,
+    clamping: made.clamping,
+    contours: made.operations.map((o) => o.plan.contour),
+    steps: made.steps,
+  });
   return [scene, ringData(simulation.final)];
 };
 
@@ -134,7 +139,8 @@ function* grownCases(): Generator<BenchCase> {
   const both = [0, 1].map((count) => planText(changedAt(grown, 1, count))());
   yield benchCase("picture grown", (count) => {
     const made = both[count % 2];
-    return made && sceneOf({ blank: made.blank, clamping: made.clamping, contours: made.operations.map((o) => o.plan.contour), steps: made.steps });
+    return made
+      && sceneOf({ blank: made.blank, clamping: made.clamping, contours: made.operations.map((o) => o.plan.contour), steps: made.steps });
   }, FEW);
 }
 

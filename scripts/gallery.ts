@@ -28,7 +28,12 @@ const many = (n: number, one: string) => `${n} ${one}${n === 1 ? "" : "es"}`;
 
 /** The part, what is left of the stock, and the path, from back to front. */
 function picture(made: Run, simulation: Simulation): string {
-  const scene = sceneOf({ blank: made.blank, clamping: made.clamping, contours: made.operations.map((o) => o.plan.contour), steps: made.steps });
+  const scene = sceneOf({
+    blank: made.blank,
+    clamping: made.clamping,
+    contours: made.operations.map((o) => o.plan.contour),
+    steps: made.steps,
+  });
   const isPath = (s: Shape) => (PATH_ROLES as readonly string[]).includes(s.role);
   const over = (s: Shape) => isPath(s) || s.role === "blank" || s.role === "contour";
   const left = simulation.proof.residual.map((piece) => piece.ring);

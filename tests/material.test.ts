@@ -145,7 +145,12 @@ function cuttingMoment({ steps, spindles }: Run, simulation: Simulation, share: 
 function drawn(program: string, share: number, section: Section, xUp: boolean): string {
   const made = run(parse(textOf(program)), { tools: shippedTools, rapid: 10_000 });
   const simulation = simulate(made), surfaces = surfacesOf(made.steps, (step) => spindleAt(made.spindles, step));
-  const scene = sceneOf({ blank: made.blank, clamping: made.clamping, contours: made.operations.map((o) => o.plan.contour), steps: made.steps });
+  const scene = sceneOf({
+    blank: made.blank,
+    clamping: made.clamping,
+    contours: made.operations.map((o) => o.plan.contour),
+    steps: made.steps,
+  });
   const now = cuttingMoment(made, simulation, share);
   const { pen, text } = svgPen(SIZE), camera = fitted(scene.bounds, SIZE, MARGIN, xUp),
     look = { colours: COLOURS, ratio: 1, origin: { x: 0, y: 0 } };

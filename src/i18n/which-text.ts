@@ -34,7 +34,9 @@ export interface WhichTexts {
   readonly noArea: string;
   readonly tool: (number: number, name: string) => string;
   readonly proved: string;
-  readonly problems: Readonly<Record<"gouge" | "rapidInStock" | "holderContact" | "clampContact" | "nothingCut" | "unproved" | "leavesMost", string>>;
+  readonly problems: Readonly<
+    Record<"gouge" | "rapidInStock" | "holderContact" | "clampContact" | "nothingCut" | "unproved" | "leavesMost", string>
+  >;
   readonly reasons: Readonly<Record<Reason, string>>;
   readonly take: string;
   readonly takeLong: (name: string) => string;

@@ -73,12 +73,12 @@ const FAR = 5000;
 
 const half = (d: number): number => toRadius(diameter(d));
 
-const box = (left: number, right: number, low: number, high: number): Ring => [
-  at(left, low),
-  at(right, low),
-  at(right, high),
-  at(left, high),
-];
+const box = (
+  left: number,
+  right: number,
+  low: number,
+  high: number,
+): Ring => [at(left, low), at(right, low), at(right, high), at(left, high)];
 
 /** The jaws of a chuck that grips at a radius, and Z of the face that they stand on. */
 function jawsOf({ kind, diameter: d, length, face }: Clamping, size: number): { readonly ring: Ring; readonly foot: number } {

@@ -270,7 +270,11 @@ function simulated(
       cut: Math.max(0, areaOf(blank) + statements.added() - areaOf(final) - byRapids - fallen(held.parted())),
       airPasses: measured.reduce((sum, o) => sum + o.airPasses, 0),
       deepest: measured.reduce<Depth | null>((best, { deepest }) => (deepest && deepest.depth > (best?.depth ?? 0) ? deepest : best), null),
-      holder: findings.some((f) => f.kind === "holderContact" || f.clamp?.by === "holder") ? "contact" : steps.some((s) => !s.tool.holder) ? "unknown" : "clear",
+      holder: findings.some((f) => f.kind === "holderContact" || f.clamp?.by === "holder")
+        ? "contact"
+        : steps.some((s) => !s.tool.holder)
+        ? "unknown"
+        : "clear",
       unproved: [...unproved, ...statements.unproved()],
       stated: statements.all(),
       loose,

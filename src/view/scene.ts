@@ -141,7 +141,9 @@ export const contourShapes = (contours: SceneParts["contours"]): readonly Shape[
   contours.map((contour) => ({ role: "contour", d: segmentData(contour) }));
 
 /** Builds the still part of the picture. */
-export function sceneOf({ blank, clamping = null, contours, steps, path: drawn, ways, sketch = [], near = [], waits = null }: SceneParts): Scene {
+export function sceneOf({ blank, clamping = null, contours, steps, path: drawn, ways, sketch = [], near = [], waits = null }:
+  SceneParts): Scene
+{
   const material = boundsOf(blank.flat());
   const all = ways ?? tipWays(steps), low = all.reduce((least, way) => Math.min(least, way.low), 0);
   const outline = boundsOf([...contours, sketch].flatMap((c) => [...pointsOf(c)]).concat(near));

@@ -65,7 +65,13 @@ function useSized(viewport: Viewport) {
 
 /** The scene of a run: its blank and contours, its path, and the chuck. */
 const sceneOfRun = (run: Run, path: Parameters<typeof sceneOf>[0]["path"]) =>
-  sceneOf({ blank: run.blank, clamping: run.clamping, contours: run.operations.map((o) => o.plan.contour), steps: run.steps, ...(path && { path }) });
+  sceneOf({
+    blank: run.blank,
+    clamping: run.clamping,
+    contours: run.operations.map((o) => o.plan.contour),
+    steps: run.steps,
+    ...(path && { path }),
+  });
 
 /** Room round what is cut, as a share of its longer side: the insert and the ends of the jaws are seen with it. */
 const AIR = 0.2;

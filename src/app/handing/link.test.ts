@@ -37,12 +37,16 @@ const program: fc.Arbitrary<Work> = fc.tuple(textFile, fc.record({
   remarks: fc.option(anyText, { nil: undefined }),
   ...brought,
 })).map(([file, others]) => bare({ ...file, ...others }) as unknown as ProgramWork);
-const clamping = fc.option(fc.record({ kind: fc.constantFrom(...CLAMPING_KINDS), words: fc.dictionary(fc.constantFrom("D", "FACE", "TIP"), anyText) }), {
-  nil: undefined,
-});
-const job: fc.Arbitrary<Work> = fc.tuple(fc.constantFrom(...cuttingCycles), fc.record({ name: anyText, rapid: awkward, clamping, ...brought })).map(
-  ([cycle, others]) => bare({ ...exampleJob(cycle), ...others }) as unknown as Work
+const clamping = fc.option(
+  fc.record({ kind: fc.constantFrom(...CLAMPING_KINDS), words: fc.dictionary(fc.constantFrom("D", "FACE", "TIP"), anyText) }),
+  {
+    nil: undefined,
+  },
 );
+const job: fc.Arbitrary<Work> = fc.tuple(fc.constantFrom(...cuttingCycles),
+  fc.record({ name: anyText, rapid: awkward, clamping, ...brought })).map(([cycle, others]) =>
+    bare({ ...exampleJob(cycle), ...others }) as unknown as Work
+  );
 
 test("a link brings back the work with its files, tools and control, whatever stands in them", () => {
   fc.assert(fc.property(fc.oneof(program, job), (work) => {

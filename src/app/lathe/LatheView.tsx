@@ -86,7 +86,12 @@ const EMPTY_RUN: Run = {
   timing: NO_TIMING,
 };
 
-const partsOf = (run: Run): SceneParts => ({ blank: run.blank, clamping: run.clamping, contours: run.operations.map((o) => o.plan.contour), steps: run.steps });
+const partsOf = (run: Run): SceneParts => ({
+  blank: run.blank,
+  clamping: run.clamping,
+  contours: run.operations.map((o) => o.plan.contour),
+  steps: run.steps,
+});
 
 /** What is known without a run: blank, contour as far as it is typed, and where the tool starts. */
 function knownParts({ blank, start, tool, outline, points }: KnownWork, run: Run): Partial<SceneParts> {

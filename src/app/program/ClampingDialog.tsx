@@ -26,8 +26,8 @@ export function ClampingDialog({ done }: { readonly done: () => void }) {
     <HandingDialog title={t.title} done={done}>
       <p className="small soft">{t.inProgram}</p>
       <div className="setup clamping-fields">
-        <ClampingFields draft={draft} set={set} inch={inch} propose={() =>
-          proposedClamping(boundsOf(run?.blank.flat() ?? []) ?? SOME_BLANK, inch ? INCH : 1)} />
+        <ClampingFields draft={draft} set={set} inch={inch}
+          propose={() => proposedClamping(boundsOf(run?.blank.flat() ?? []) ?? SOME_BLANK, inch ? INCH : 1)} />
       </div>
     </HandingDialog>
   );

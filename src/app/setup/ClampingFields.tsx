@@ -42,7 +42,8 @@ export function ClampingFields({ draft, set, propose, inch = false }: Props) {
     set({ kind, words: isEmpty ? others : { ...words, [word]: text } }, `clamping ${word}`);
   };
   const others = Object.fromEntries(Object.entries(words).filter(([word]) => !CENTRE.some((each) => each === word)));
-  const unitOf = (word: ClampingWord) => word === "ANGLE" ? "°" : t.units[inch ? "inch" : "mm"][DIAMETERS.has(word) ? "diameter" : "length"];
+  const unitOf = (word: ClampingWord) =>
+    word === "ANGLE" ? "°" : t.units[inch ? "inch" : "mm"][DIAMETERS.has(word) ? "diameter" : "length"];
   const shown = wordsOfKind(kind).filter((word) => onCentre || !CENTRE.includes(word));
   return (
     <>
@@ -61,13 +62,13 @@ export function ClampingFields({ draft, set, propose, inch = false }: Props) {
         const typed = words[word] ?? "";
         return (
           <div key={word}>
-            <NumberField field={clampingField(word, needed)} name={name} unit={unitOf(word)} text={typed}
-              onText={(text) => put(word, text)} {...(word === "ANGLE" && { proposal: String(CENTRE_ANGLE) })} />
+            <NumberField field={clampingField(word, needed)} name={name} unit={unitOf(word)} text={typed} onText={(text) => put(word, text)}
+              {...(word === "ANGLE" && { proposal: String(CENTRE_ANGLE) })} />
             {word === "SIZE" && kind !== "collet" && !inch && (
               <div className="clamping-sizes" role="group" aria-label={t.words.SIZE}>
                 {CHUCK_SIZES.map((size) => (
-                  <button key={size} type="button" className="button small" aria-pressed={typed === String(size)}
-                    onClick={() => put("SIZE", String(size))}
+                  <button key={size} type="button" className="button small" aria-pressed={typed === String(size)} onClick={() =>
+                    put("SIZE", String(size))}
                   >
                     {size}
                   </button>

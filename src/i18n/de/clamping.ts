@@ -2,7 +2,8 @@ import type { ClampingTexts } from "../en/clamping.ts";
 
 export const clamping: ClampingTexts = {
   title: "Spannung",
-  unstated: "Nicht angegeben: das Rohteil gilt als am hinteren Ende gehalten. Berührung von Backen, Futter und Reitstock wird nicht geprüft.",
+  unstated:
+    "Nicht angegeben: das Rohteil gilt als am hinteren Ende gehalten. Berührung von Backen, Futter und Reitstock wird nicht geprüft.",
   state: "Spannung angeben",
   remove: "Keine angeben",
   kind: "Gespannt in",
@@ -33,7 +34,8 @@ export const clamping: ClampingTexts = {
     LIMITX: "Grenze: nichts innerhalb ⌀",
   },
   tailstock: "Mit Reitstock",
-  known: "Maßstäblich gezeichnet; Berührung durch Werkzeug oder Halter ist ein Fehler. Backen wie bei üblichen Kraftspannfuttern: eigene messen.",
+  known:
+    "Maßstäblich gezeichnet; Berührung durch Werkzeug oder Halter ist ein Fehler. Backen wie bei üblichen Kraftspannfuttern: eigene messen.",
   inProgram: "Steht als Kommentar im Programm, ; CLAMPING …, den die Steuerung übergeht.",
   units: { mm: { diameter: "mm ⌀", length: "mm" }, inch: { diameter: "inch ⌀", length: "inch" } },
 };

@@ -223,6 +223,10 @@ export const messages = {
           w.size(d.rear)
         }, bei ${w.place(d.x, d.z)}: Dort steht das Spannmittel.`,
     clampContact: (d, w) => `${d.by === "tool" ? "Das Werkzeug" : "Der Halter"} stößt bei ${w.place(d.x, d.z)} an ${CLAMPED[d.part]}. Schnitt davor beenden oder anders spannen.`,
+    clampContact: (d, w) =>
+      `${d.by === "tool" ? "Das Werkzeug" : "Der Halter"} stößt bei ${w.place(d.x, d.z)} an ${
+        CLAMPED[d.part]
+      }. Schnitt davor beenden oder anders spannen.`,
     contactsUnlooked: (d) =>
       `${d.limit} Bewegungen verletzen die Kontur, fahren im Eilgang ins Material oder berühren es mit dem Halter: Ab hier wird `
       + "danach nicht mehr gesucht.",
@@ -303,7 +307,10 @@ export const messages = {
     clampingUnread: (d, w) => `CLAMPING: „${w.text(d.what)}“ ist nicht verständlich und zählt nicht.`,
     clampingIncomplete: (d) => `CLAMPING zählt nicht: ${d.words} fehlt oder ist unmöglich. Von der Spannung ist nichts bekannt.`,
     clampingTwice: () => "CLAMPING steht zweimal: das erste zählt. Dieses löschen.",
-    clampingMisses: (d, w) => `Die Spannung fasst das Rohteil nicht: Im Spannbereich liegt keine Fläche mit ${w.diameter(d.diameter)}. ⌀, Länge und Lage von CLAMPING prüfen.`,
+    clampingMisses: (d, w) =>
+      `Die Spannung fasst das Rohteil nicht: Im Spannbereich liegt keine Fläche mit ${
+        w.diameter(d.diameter)
+      }. ⌀, Länge und Lage von CLAMPING prüfen.`,
     blankMissing: () => "Das Programm nennt kein Rohteil.",
     blankNotTurned: (d, w) => `Ein Rohteil der Form ${w.text(d.form)} ist kein Drehkörper um die Achse.`,
     endInFront: (d, w) => `Z${w.signed(d.value)} liegt vor dem Werkstück. ${w.signed(d.nearest)}?`,

@@ -209,6 +209,10 @@ export const messages = {
           w.place(d.x, d.z)
         }: what holds the work stands there.`,
     clampContact: (d, w) => `${d.by === "tool" ? "The tool" : "The holder"} runs into ${CLAMPED[d.part]} at ${w.place(d.x, d.z)}. End the cut before it or clamp otherwise.`,
+    clampContact: (d, w) =>
+      `${d.by === "tool" ? "The tool" : "The holder"} runs into ${CLAMPED[d.part]} at ${
+        w.place(d.x, d.z)
+      }. End the cut before it or clamp otherwise.`,
     contactsUnlooked: (d) =>
       `${d.limit} moves cut the part, ran into material or touched it with the holder: from here on moves were not looked at for that.`,
     deeperThanInfeed: (d, w) =>
@@ -282,7 +286,10 @@ export const messages = {
     clampingUnread: (d, w) => `CLAMPING: “${w.text(d.what)}” is not understood and does not count.`,
     clampingIncomplete: (d) => `CLAMPING does not count: ${d.words} is missing or impossible. Nothing is known of the clamping.`,
     clampingTwice: () => "CLAMPING stands twice: the first one counts. Delete this one.",
-    clampingMisses: (d, w) => `The clamping does not grip the blank: there is no surface of ${w.diameter(d.diameter)} in its grip. Check ⌀, length and face of CLAMPING.`,
+    clampingMisses: (d, w) =>
+      `The clamping does not grip the blank: there is no surface of ${
+        w.diameter(d.diameter)
+      } in its grip. Check ⌀, length and face of CLAMPING.`,
     blankMissing: () => "The program states no blank.",
     blankNotTurned: (d, w) => `A blank of the form ${w.text(d.form)} is not turned round the axis.`,
     endInFront: (d, w) => `Z${w.signed(d.value)} is in front of the workpiece. ${w.signed(d.nearest)}?`,

@@ -219,6 +219,10 @@ export const messages = {
           w.size(d.rear)
         }, en ${w.place(d.x, d.z)} : le moyen de serrage s'y trouve.`,
     clampContact: (d, w) => `${d.by === "tool" ? "L’outil" : "Le porte-outil"} heurte ${CLAMPED[d.part]} en ${w.place(d.x, d.z)}. Terminer la passe avant ou brider autrement.`,
+    clampContact: (d, w) =>
+      `${d.by === "tool" ? "L’outil" : "Le porte-outil"} heurte ${CLAMPED[d.part]} en ${
+        w.place(d.x, d.z)
+      }. Terminer la passe avant ou brider autrement.`,
     contactsUnlooked: (d) =>
       `${d.limit} déplacements entament la pièce, entrent en rapide dans la matière ou la touchent avec le porte-outil : à `
       + "partir d’ici, cela n’a plus été recherché.",
@@ -302,7 +306,10 @@ export const messages = {
     clampingUnread: (d, w) => `CLAMPING : « ${w.text(d.what)} » n’est pas compris et ne compte pas.`,
     clampingIncomplete: (d) => `CLAMPING ne compte pas : ${d.words} manque ou est impossible. Rien n’est connu du bridage.`,
     clampingTwice: () => "CLAMPING figure deux fois : le premier compte. Effacer celui-ci.",
-    clampingMisses: (d, w) => `Le bridage ne serre pas la pièce brute : aucune surface de ${w.diameter(d.diameter)} dans la prise. Vérifier ⌀, longueur et face de CLAMPING.`,
+    clampingMisses: (d, w) =>
+      `Le bridage ne serre pas la pièce brute : aucune surface de ${
+        w.diameter(d.diameter)
+      } dans la prise. Vérifier ⌀, longueur et face de CLAMPING.`,
     blankMissing: () => "Le programme n’indique pas de brut.",
     blankNotTurned: (d, w) => `Un brut de forme ${w.text(d.form)} n’est pas un corps de révolution autour de l’axe.`,
     endInFront: (d, w) => `Z${w.signed(d.value)} est devant la pièce. ${w.signed(d.nearest)} ?`,

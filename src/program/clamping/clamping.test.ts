@@ -44,8 +44,8 @@ describe("comments in odd spelling", () => {
     expect(clampingOf(read, (n) => n)).toEqual(wanted);
   });
 
-  test.each([" CLAMPINGS D60", " clamp it well", " NO CLAMPING", ""])("%j is another comment", (comment) =>
-    expect(readClamping(comment)).toBeNull());
+  test.each([" CLAMPINGS D60", " clamp it well", " NO CLAMPING", ""])("%j is another comment",
+    (comment) => expect(readClamping(comment)).toBeNull());
 
   test.each<[string, readonly string[]]>([
     [" CLAMPING CHUCK OUTSIDE D60 LENGTH25 FACE-75", ["SIZE"]],
@@ -73,9 +73,8 @@ describe("comments in odd spelling", () => {
 describe("bodies", () => {
   const blank = [[at(-100, 0), at(0, 0), at(0, 30), at(-100, 30)]];
   const sizes = (c: Clamping) =>
-    Object.fromEntries(clampingBodies(c, blank).map(({ part, rings }) => [part, boxAround(rings)])) as Record<ClampPart, ReturnType<
-      typeof boxAround
-    >>;
+    Object.fromEntries(clampingBodies(c, blank).map(({ part, rings }) => [part, boxAround(rings)])) as Record<ClampPart,
+      ReturnType<typeof boxAround>>;
 
   test("jaws begin at the front, stand on the gripped ⌀, and leave the blank to itself", () => {
     const { jaws, chuck } = sizes(OUTSIDE);
@@ -101,14 +100,11 @@ describe("bodies", () => {
     expect(tailstock.left).toBeCloseTo(0, 6);
   });
 
-  test.each<[Partial<Clamping>, boolean]>([
-    [{}, false],
-    [{ diameter: 60.8 }, false],
-    [{ diameter: 64 }, true],
-    [{ diameter: 56 }, true],
-    [{ face: -1, length: 10 }, false],
-    [{ face: 20, length: 10 }, true],
-  ])("%j grips nothing: %s", (more, misses) => expect(missesBlank({ ...OUTSIDE, ...more }, blank)).toBe(misses));
+  test.each<[Partial<Clamping>, boolean]>([[{}, false], [{ diameter: 60.8 }, false], [{ diameter: 64 }, true], [{ diameter: 56 }, true], [{
+    face: -1,
+    length: 10,
+  }, false], [{ face: 20, length: 10 }, true]])("%j grips nothing: %s",
+    (more, misses) => expect(missesBlank({ ...OUTSIDE, ...more }, blank)).toBe(misses));
 });
 
 /** A bar ⌀30, Z0 to Z-80, turned along its whole length; `comment` behind its blank. */
@@ -123,8 +119,8 @@ const HELD = "; CLAMPING CHUCK OUTSIDE D30 LENGTH20 FACE-60 SIZE160";
 describe("contact", () => {
   test("turning to the end of the bar runs into the jaws that are stated", () =>
     expect(contacts(turned(HELD))).toEqual(["jaws tool", "jaws holder"]));
-  test.each([["; a comment", -80], ["; CLAMPING CHUCK OUTSIDE D30 LENGTH20 FACE-60", -80]])("with %s nothing is claimed", (comment, end) =>
-    expect(contacts(turned(comment, end))).toEqual([]));
+  test.each([["; a comment", -80], ["; CLAMPING CHUCK OUTSIDE D30 LENGTH20 FACE-60", -80]])("with %s nothing is claimed",
+    (comment, end) => expect(contacts(turned(comment, end))).toEqual([]));
   test("a cut that ends clear of the jaws meets none of them, one that ends nearer than its holder does", () => {
     expect(contacts(turned(HELD, -50))).toEqual([]);
     expect(contacts(turned(HELD, -59))).toEqual([]);

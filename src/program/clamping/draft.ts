@@ -5,7 +5,8 @@ import type { Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { anyNumber, type Field } from "../field.ts";
 import { readClamping } from "./read-clamping.ts";
-import { ANY_NUMBER, CLAMPING_WORDS, clampingText, LEAST_ANGLE, MOST_ANGLE, neededWords, type ClampingDraft, type ClampingWord } from "./words.ts";
+import { ANY_NUMBER, CLAMPING_WORDS, clampingText, LEAST_ANGLE, MOST_ANGLE, neededWords, type ClampingDraft,
+  type ClampingWord } from "./words.ts";
 
 const rangeOf = (word: ClampingWord): Field["range"] =>
   word === "ANGLE" ? [LEAST_ANGLE, MOST_ANGLE] : [ANY_NUMBER.has(word) ? -Infinity : Number.MIN_VALUE, Infinity];
@@ -27,7 +28,10 @@ const [GRIPPED, MOST_GRIPPED] = [0.25, 25];
 const LARGER = 1.3;
 
 /** A clamping to begin with: a blank gripped outside, at its rear end. `k`: mm in the unit of the program. */
-export function proposedClamping({ left, right, high }: { readonly left: number; readonly right: number; readonly high: number }, k = 1): ClampingDraft {
+export function proposedClamping(
+  { left, right, high }: { readonly left: number; readonly right: number; readonly high: number },
+  k = 1,
+): ClampingDraft {
   const long = Math.min(MOST_GRIPPED, Math.floor((right - left) * GRIPPED) || (right - left) * GRIPPED);
   const across = toDiameter(radius(high)), least = across * LARGER;
   const size = CHUCK_SIZES.find((each) => each > least) ?? Math.ceil(least / 100) * 100;

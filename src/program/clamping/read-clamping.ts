@@ -25,14 +25,13 @@ const TOKEN = /([^\s\d:=+.,;-]+)(?:\s*[:=]?\s*([+-]?\d*[.,]?\d+))?|\S/gu;
 const AXIS = /\b(FACE|TIP|LIMIT)\s+([ZX])(?=\s*[:=]?\s*[+-]?[\d.])/gu;
 
 const known = (word: string): ClampingWord | undefined => ALSO[word] ?? CLAMPING_WORDS.find((w) => w === word);
-const takes = (word: ClampingWord, n: number) =>
-  ANY_NUMBER.has(word) || (word === "ANGLE" ? n >= LEAST_ANGLE && n <= MOST_ANGLE : n > 0);
+const takes = (word: ClampingWord, n: number) => ANY_NUMBER.has(word) || (word === "ANGLE" ? n >= LEAST_ANGLE && n <= MOST_ANGLE : n > 0);
 
 /** Reads a comment, from behind its `;`; null for one that is none of a clamping. Spelling, order and decimal sign are free. */
 export function readClamping(comment: string): ReadClamping | null {
   // An axis may stand by itself before its value: FACE Z-75, LIMIT Z-70.
-  const text = /^\s*CLAMPING\b[\s:=]*(.*)$/iu.exec(comment)?.[1]?.toUpperCase().replace(AXIS, (_, word: string, axis: string) =>
-    word === "LIMIT" ? word + axis : word);
+  const text = /^\s*CLAMPING\b[\s:=]*(.*)$/iu.exec(comment)?.[1]?.toUpperCase().replace(AXIS,
+    (_, word: string, axis: string) => word === "LIMIT" ? word + axis : word);
   if (text === undefined) return null;
   const [values, what]: [Partial<Record<ClampingWord, number>>, string[]] = [{}, []];
   for (const [whole, word = "", digits] of text.matchAll(TOKEN)) {

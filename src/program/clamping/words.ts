@@ -47,7 +47,11 @@ export const wordsOfKind = (kind: ClampingKind): readonly ClampingWord[] =>
 
 /** A clamping as its comment has it, behind the `;`. */
 export const clampingText = ({ kind, words }: ClampingDraft): string =>
-  ["CLAMPING", KIND_WORDS[kind], ...wordsOfKind(kind).flatMap((word) => {
-    const text = (words[word] ?? "").replace(/[\s;~]+/gu, "");
-    return text === "" ? [] : [word + text];
-  })].join(" ");
+  [
+    "CLAMPING",
+    KIND_WORDS[kind],
+    ...wordsOfKind(kind).flatMap((word) => {
+      const text = (words[word] ?? "").replace(/[\s;~]+/gu, "");
+      return text === "" ? [] : [word + text];
+    }),
+  ].join(" ");

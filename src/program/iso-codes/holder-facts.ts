@@ -6,7 +6,14 @@ import type { BarMake, InsertClamping, Cuts } from "./code-part.ts";
  */
 
 /** How the insert is held; X is special. */
-export const CLAMPINGS: Readonly<Record<string, InsertClamping>> = { C: "top", D: "topHole", M: "topHole", P: "hole", S: "screw", W: "wedge" };
+export const CLAMPINGS: Readonly<Record<string, InsertClamping>> = {
+  C: "top",
+  D: "topHole",
+  M: "topHole",
+  P: "hole",
+  S: "screw",
+  W: "wedge",
+};
 
 /** Where the tip lies over the shank: over its middle, over one side of it, or beyond that side. */
 type Seat = "middle" | "straight" | "offset";

@@ -24,7 +24,8 @@ test("the plane of a tube begins at its bore", () => {
 
 test("what is stated is drawn where it is checked", () => {
   expect(chuck.unstated).toBeNull();
-  const drawn = (part: string) => stated.bodies.filter((b) => b.part === part).flatMap(({ rings }) => rings.map((r) => r.map((p) => [p.z, p.r])));
+  const drawn = (part: string) =>
+    stated.bodies.filter((b) => b.part === part).flatMap(({ rings }) => rings.map((r) => r.map((p) => [p.z, p.r])));
   expect(chuck.jaws).toEqual(drawn("jaws"));
   expect(chuck.turned).toEqual(drawn("chuck"));
   expect(chuck.seen.left).toBeLessThan(-73.4);
