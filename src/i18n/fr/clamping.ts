@@ -3,7 +3,8 @@ import type { ClampingTexts } from "../en/clamping.ts";
 export const clamping: ClampingTexts = {
   title: "Bridage",
   unstated:
-    "Non indiqué : la pièce brute est supposée tenue à son extrémité arrière. Le contact avec mors, mandrin ou contre-poupée n’est pas contrôlé.",
+    "Non indiqué : la pièce brute est supposée tenue à son extrémité arrière. "
+    + "Le contact avec mors, mandrin ou contre-poupée n’est pas contrôlé.",
   state: "Indiquer un bridage",
   remove: "Ne rien indiquer",
   kind: "Tenue par",

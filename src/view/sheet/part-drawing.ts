@@ -175,7 +175,7 @@ function zeroSign({ x, y }: Place): readonly DrawnShape[] {
   ];
 }
 
-/** How much of what holds a blank is drawn beside it: out from its outside, and behind the grip or before the tip, as a part of its radius. */
+/** How much of what holds a blank is drawn: out from its outside, and behind the grip or before the tip, as a part of its radius. */
 const [OUT, ALONG] = [1, 0.5];
 
 /** What holds a blank, cut off not far from it: a chuck is far larger than most parts. */
