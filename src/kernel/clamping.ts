@@ -2,7 +2,7 @@ import { areaOf } from "./area.ts";
 import { difference, intersection } from "./clip.ts";
 import { at, type Ring } from "./point.ts";
 import { real } from "./real-area.ts";
-import { diameter, radius, toDiameter, toRadius } from "./units.ts";
+import { radius, radiusOf, toDiameter } from "./units.ts";
 
 /** How the work is held. */
 export type ClampingKind = "chuckOutside" | "chuckInside" | "softJaws" | "collet" | "centres";
@@ -71,8 +71,6 @@ const [WALL, DEEP, DRIVER, QUILL] = [6, 60, 40, 160];
 /** Farther than any machine reaches, mm. */
 const FAR = 5000;
 
-const half = (d: number): number => toRadius(diameter(d));
-
 const box = (
   left: number,
   right: number,
@@ -82,9 +80,9 @@ const box = (
 
 /** The jaws of a chuck that grips at a radius, and Z of the face that they stand on. */
 function jawsOf({ kind, diameter: d, length, face }: Clamping, size: number): { readonly ring: Ring; readonly foot: number } {
-  const { high, long } = chuckOf(size), grip = half(d), inside = kind === "chuckInside";
+  const { high, long } = chuckOf(size), grip = radiusOf(d), inside = kind === "chuckInside";
   const foot = face - Math.max(high, length + SHOULDER.behind), tall = face - foot;
-  const most = inside ? grip : half(size) * BEYOND - grip, reach = Math.max(SHORTEST * long, Math.min(long, most));
+  const most = inside ? grip : radiusOf(size) * BEYOND - grip, reach = Math.max(SHORTEST * long, Math.min(long, most));
   // Seen from the gripped surface: how far away from the work.
   const r = (away: number) => Math.max(0, grip + (inside ? -away : away));
   const back = face - length;
@@ -98,21 +96,21 @@ function jawsOf({ kind, diameter: d, length, face }: Clamping, size: number): { 
 
 /** The bodies of what grips the work at its rear end. */
 function gripBodies(c: Clamping): ClampBody[] {
-  const { kind, face, size, length } = c, r = half(c.diameter);
+  const { kind, face, size, length } = c, r = radiusOf(c.diameter);
   if (kind === "centres") return [{ part: "driver", rings: [box(face - DRIVER, face, 0, r)] }];
   if (size === undefined) return [];
   if (kind === "collet") {
-    const back = face - Math.max(DEEP, length + SHOULDER.behind), outer = half(size), nose = Math.min(outer, r + WALL);
+    const back = face - Math.max(DEEP, length + SHOULDER.behind), outer = radiusOf(size), nose = Math.min(outer, r + WALL);
     const ring = [at(back, r), at(face, r), at(face, nose), at(face - (outer - nose) / 2, outer), at(back, outer)];
     return [{ part: "collet", rings: [ring] }];
   }
   const { ring, foot } = jawsOf(c, size), { bore, deep } = chuckOf(size);
-  return [{ part: "jaws", rings: [ring] }, { part: "chuck", rings: [box(foot - deep, foot, half(bore), half(size))] }];
+  return [{ part: "jaws", rings: [ring] }, { part: "chuck", rings: [box(foot - deep, foot, radiusOf(bore), radiusOf(size))] }];
 }
 
 function tailstockBody({ tailstock }: Clamping): ClampBody[] {
   if (!tailstock) return [];
-  const { quill, tip, angle } = tailstock, r = half(quill), full = tip + r / Math.tan(((angle / 2) * Math.PI) / 180);
+  const { quill, tip, angle } = tailstock, r = radiusOf(quill), full = tip + r / Math.tan(((angle / 2) * Math.PI) / 180);
   return [{ part: "tailstock", rings: [[at(tip, 0), at(full + QUILL, 0), at(full + QUILL, r), at(full, r)]] }];
 }
 
@@ -123,7 +121,7 @@ function tailstockBody({ tailstock }: Clamping): ClampBody[] {
 export function clampingBodies(c: Clamping, blank: readonly Ring[]): readonly ClampBody[] {
   const bodies = [...gripBodies(c), ...tailstockBody(c)].map(({ part, rings }) => ({ part, rings: difference(rings, blank) }));
   const { z = FAR, x = toDiameter(radius(FAR)) } = c.limit ?? {};
-  return c.limit ? [...bodies, { part: "limit", rings: [box(-FAR, z, 0, half(x))] }] : bodies;
+  return c.limit ? [...bodies, { part: "limit", rings: [box(-FAR, z, 0, radiusOf(x))] }] : bodies;
 }
 
 /** How far the gripped ⌀ may lie beside the surface of the blank, as a radius, mm. */
@@ -132,7 +130,7 @@ const NEAR = 0.5;
 /** True when jaws or collet do not grip the blank: there is nothing of it at their ⌀, or it stands in them. */
 export function missesBlank({ kind, diameter: d, length, face }: Clamping, blank: readonly Ring[]): boolean {
   if (kind === "centres" || blank.length === 0) return false;
-  const r = half(d), [back, inside] = [face - length, kind === "chuckInside"];
+  const r = radiusOf(d), [back, inside] = [face - length, kind === "chuckInside"];
   const has = (low: number, high: number) => areaOf(real(intersection(blank, [box(back, face, Math.max(0, low), high)]))) > 0;
   return inside ? !has(r, r + NEAR) || has(0, r - NEAR) : !has(r - NEAR, r) || has(r + NEAR, FAR);
 }

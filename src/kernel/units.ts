@@ -63,3 +63,6 @@ export type LengthUnit = "mm" | "inch";
 export const IN_MM: Readonly<Record<LengthUnit, number>> = { mm: 1, inch: INCH };
 /** A length in inches on the grid that a control keeps of it: one decimal more than of millimetres. */
 export const roundedInch = (inches: number) => Math.round(inches * STEPS * 10) / (STEPS * 10);
+
+/** The radius of a ⌀ that is kept as plain data, mm. */
+export const radiusOf = (across: number): Radius => toRadius(diameter(across));

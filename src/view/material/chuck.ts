@@ -1,6 +1,6 @@
 import { jawWidth, type Clamped } from "../../kernel/clamping.ts";
 import type { Ring } from "../../kernel/point.ts";
-import { diameter, toRadius } from "../../kernel/units.ts";
+import { radiusOf } from "../../kernel/units.ts";
 import { boundsOf, joined } from "../bounds.ts";
 import type { Bounds } from "../camera.ts";
 import { heldPlane, type HeldPlane } from "../held-plane.ts";
@@ -61,7 +61,7 @@ export function chuckDrawing(blank: readonly Ring[], material: Bounds, clamped: 
     flanks: jaws.map((ring) => ring.map(({ z, r }) => turned(z, r, half))),
     backs: outwards.map(([p, q]) => [turned(q.z, p.r, half), turned(p.z, p.r, half), turned(p.z, p.r, -half), turned(q.z, p.r, -half)]),
     limit: limit
-      ? { ...(limit.z !== undefined && { z: limit.z }), ...(limit.x !== undefined && { r: toRadius(diameter(limit.x)) }) }
+      ? { ...(limit.z !== undefined && { z: limit.z }), ...(limit.x !== undefined && { r: radiusOf(limit.x) }) }
       : null,
     all,
     seen: {
