@@ -8,8 +8,8 @@ export const clamping: ClampingTexts = {
   remove: "Keine angeben",
   kind: "Gespannt in",
   kinds: {
-    chuckOutside: "Futter, außen gespannt",
-    chuckInside: "Futter, innen gespannt",
+    chuckOutside: "Futter außen",
+    chuckInside: "Futter innen",
     softJaws: "Weiche Backen",
     collet: "Spannzange",
     centres: "Zwischen Spitzen",

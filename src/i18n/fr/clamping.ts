@@ -9,8 +9,8 @@ export const clamping: ClampingTexts = {
   remove: "Ne rien indiquer",
   kind: "Tenue par",
   kinds: {
-    chuckOutside: "Mandrin, serrage extérieur",
-    chuckInside: "Mandrin, serrage intérieur",
+    chuckOutside: "Mandrin, extérieur",
+    chuckInside: "Mandrin, intérieur",
     softJaws: "Mors doux",
     collet: "Pince",
     centres: "Entre pointes",
