@@ -203,8 +203,7 @@ describe.each(LANGUAGES)("messages in %s", (language) => {
     expect(sentence).toMatch(/\S.*[.。?？]$/);
     expect(sentence).not.toMatch(/undefined|NaN|\[object|null/);
     const own = Object.entries(SAMPLES[code]).filter(([key, value]) =>
-      !["reason", "edge", "quantity", "place", "shape", "motion", "meets", "part", "by"].includes(key)
-      && typeof value !== "boolean"
+      !["reason", "edge", "quantity", "place", "shape", "motion", "meets", "part", "by"].includes(key) && typeof value !== "boolean"
     );
     const shown = own.map(([, value]) => (typeof value === "number" ? formatNumber(language, value, 4) : String(value)));
     for (const data of shown.filter((text) => !text.includes(","))) expect(sentence).toContain(data);

@@ -16,8 +16,11 @@ export interface Setting {
   readonly stock: readonly Ring[] | null;
   /** True where that stock is traced (FUNCTION TURNDATA BLANK): roughing leaves out passes that touch nothing of it. */
   readonly leavesOutAir?: boolean;
-  /** What nobody has bored yet: outlines, and the Z from which on they are solid. Absent where nobody knows. */
-  readonly solid?: { readonly rings: readonly Ring[]; readonly below: number } | null;
+  /**
+   * What nobody has drilled yet: outlines, and the Z from which on they are solid. `isBored`: a bore in them may be wider by now, so that
+   * they tell of the axis only. Absent where nobody knows.
+   */
+  readonly solid?: { readonly rings: readonly Ring[]; readonly below: number; readonly isBored: boolean } | null;
   /** Outlines that nothing stands outside of: the blank that is stated, whatever has been cut of it. Absent where none is. */
   readonly blank?: readonly Ring[] | null;
 }

@@ -55,7 +55,7 @@ function answer(
   const { values, partial, issues } = cycleValues(machine, cycle, defined.values);
   const counted = (rings: readonly Ring[]) => rings.map((ring) => ring.map((p) => countedPoint(p, datum)));
   const [stock, blank] = [standing && counted(standing), counted(machine.now.blank)];
-  const solid = unbored ? { rings: counted(unbored.rings), below: unbored.below - datum.z } : null;
+  const solid = unbored ? { rings: counted(unbored.rings), below: unbored.below - datum.z, isBored: unbored.isBored } : null;
   const setting = { tool, start, feedUnit: machine.feedUnit, autoFeed, stock, leavesOutAir: machine.traced !== null, solid, blank };
   const plan = values && (cycle.contour === "own" || contour) ? cycle.plan(values, setting, given) : nothing;
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
@@ -90,7 +90,7 @@ function questionOf(machine: Machine, memory: Pick<PlanMemory, "nameOf">, asked:
     contour ? memory.nameOf(contour) : "",
     memory.nameOf(tool),
     stock ? memory.nameOf(stock) : "",
-    solid ? `${memory.nameOf(solid.rings)} ${exactly(solid.below)}` : "",
+    solid ? `${memory.nameOf(solid.rings)} ${exactly(solid.below)} ${solid.isBored}` : "",
     memory.nameOf(machine.now.blank),
   ].join("\n");
 }

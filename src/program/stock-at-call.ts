@@ -1,4 +1,5 @@
 import { isDrill } from "../kernel/drill.ts";
+import { tipDirection } from "../kernel/insert.ts";
 import type { Setting } from "../kernel/plan.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import type { Ring } from "../kernel/point.ts";
@@ -30,11 +31,14 @@ export function stockAtCall(machine: Machine): readonly Ring[] | null {
  * stands there, as behind effects that are not simulated.
  */
 export function solidAtCall(machine: Machine): Setting["solid"] {
-  const { traced, now: { blank, blankSince }, log: { steps, unproved } } = machine;
-  if (traced) return { rings: stockAtCall(machine) ?? [], below: Infinity };
+  const { traced, now: { blank, blankSince }, log: { steps, operations, unproved } } = machine;
+  if (traced) return { rings: stockAtCall(machine) ?? [], below: Infinity, isBored: false };
   if (blank.length === 0 || unproved.length > 0) return null;
   let below = Infinity;
-  for (const { tool, move } of steps.slice(blankSince.steps))
+  const since = steps.slice(blankSince.steps);
+  for (const { tool, move } of since)
     if (move.kind !== "rapid" && (isDrill(tool) || move.to.r <= SAME)) below = Math.min(below, move.to.z);
-  return { rings: blank, below };
+  const isBored = operations.slice(blankSince.operations).some(({ plan }) => plan.openSide.r < 0)
+    || since.some(({ move, tool, operation }) => operation === null && move.kind !== "rapid" && tipDirection(tool.TO).v > 0);
+  return { rings: blank, below, isBored };
 }

@@ -20,8 +20,12 @@ const MISSING = 0.01;
 const ASIDE = 2;
 
 /** The rule of each finding that has one of its own; the others count as errors. */
-const FOUND: Partial<Record<StockFinding["kind"], RuleName>> = { rapidInStock: "rapid", holderContact: "holder", clampContact: "holder",
-  gouge: "gouge" };
+const FOUND: Partial<Record<StockFinding["kind"], RuleName>> = {
+  rapidInStock: "rapid",
+  holderContact: "holder",
+  clampContact: "holder",
+  gouge: "gouge",
+};
 
 const ofFinding = (rule: RuleName, f: StockFinding): TaskMark => ({
   rule,

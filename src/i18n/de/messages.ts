@@ -222,7 +222,6 @@ export const messages = {
         : `${d.motion === "rapid" ? "Eine Eilgangbewegung fährt" : "Das Werkzeug schneidet"} hinter dem hinteren Ende des Rohteils bei Z${
           w.size(d.rear)
         }, bei ${w.place(d.x, d.z)}: Dort steht das Spannmittel.`,
-    clampContact: (d, w) => `${d.by === "tool" ? "Das Werkzeug" : "Der Halter"} stößt bei ${w.place(d.x, d.z)} an ${CLAMPED[d.part]}. Schnitt davor beenden oder anders spannen.`,
     clampContact: (d, w) =>
       `${d.by === "tool" ? "Das Werkzeug" : "Der Halter"} stößt bei ${w.place(d.x, d.z)} an ${
         CLAMPED[d.part]

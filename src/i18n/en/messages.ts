@@ -208,7 +208,6 @@ export const messages = {
         : `${d.motion === "rapid" ? "A rapid runs" : "The tool cuts"} behind the rear end of the blank at Z${w.size(d.rear)}, at ${
           w.place(d.x, d.z)
         }: what holds the work stands there.`,
-    clampContact: (d, w) => `${d.by === "tool" ? "The tool" : "The holder"} runs into ${CLAMPED[d.part]} at ${w.place(d.x, d.z)}. End the cut before it or clamp otherwise.`,
     clampContact: (d, w) =>
       `${d.by === "tool" ? "The tool" : "The holder"} runs into ${CLAMPED[d.part]} at ${
         w.place(d.x, d.z)

@@ -2,8 +2,7 @@ import type { ClampingTexts } from "../en/clamping.ts";
 
 export const clamping: ClampingTexts = {
   title: "Bridage",
-  unstated:
-    "Non indiqué : la pièce brute est supposée tenue à son extrémité arrière. "
+  unstated: "Non indiqué : la pièce brute est supposée tenue à son extrémité arrière. "
     + "Le contact avec mors, mandrin ou contre-poupée n’est pas contrôlé.",
   state: "Indiquer un bridage",
   remove: "Ne rien indiquer",

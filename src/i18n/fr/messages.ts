@@ -218,7 +218,6 @@ export const messages = {
         : `${d.motion === "rapid" ? "Un rapide passe" : "L'outil usine"} derrière l'extrémité arrière de la pièce brute en Z${
           w.size(d.rear)
         }, en ${w.place(d.x, d.z)} : le moyen de serrage s'y trouve.`,
-    clampContact: (d, w) => `${d.by === "tool" ? "L’outil" : "Le porte-outil"} heurte ${CLAMPED[d.part]} en ${w.place(d.x, d.z)}. Terminer la passe avant ou brider autrement.`,
     clampContact: (d, w) =>
       `${d.by === "tool" ? "L’outil" : "Le porte-outil"} heurte ${CLAMPED[d.part]} en ${
         w.place(d.x, d.z)

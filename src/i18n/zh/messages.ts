@@ -156,7 +156,6 @@ export const messages = {
       d.motion === "unheld"
         ? `外圆一直车到毛坯后端Z${w.size(d.rear)}：没有可夹持的部分。如果以其他方式夹持，请说明夹持方式。`
         : `${d.motion === "rapid" ? "快移" : "刀具切削"}进入毛坯后端Z${w.size(d.rear)}之后，位于${w.place(d.x, d.z)}：那里是夹具。`,
-    clampContact: (d, w) => `${d.by === "tool" ? "刀具" : "刀杆"}在${w.place(d.x, d.z)}处碰到${CLAMPED[d.part]}。请提前结束切削或更改装夹。`,
     clampContact: (d, w) =>
       `${d.by === "tool" ? "刀具" : "刀杆"}在${w.place(d.x, d.z)}处碰到${CLAMPED[d.part]}。请提前结束切削或更改装夹。`,
     contactsUnlooked: (d) => `已有${d.limit}个运动伤及工件、快移进入材料或以刀杆触碰材料：从此处起不再检查。`,

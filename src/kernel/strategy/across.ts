@@ -98,7 +98,7 @@ function boreMissing(plan: Plan, { tool, start, solid }: Setting, lowest: number
   const zs = cuts.map((p) => p.z);
   const [left, right] = [Math.min(...zs), Math.min(Math.max(...zs), solid.below)];
   if (right - left < CORE) return null;
-  for (const high of [SAME, start.r + lowest - SAME]) {
+  for (const high of solid.isBored ? [SAME] : [SAME, start.r + lowest - SAME]) {
     const core = high > 0 ? boxAround(inBox(solid.rings, { left, right, low: 0, high })) : null;
     if (core === null || !(core.right - core.left > CORE)) continue;
     const inside = holderOutlines(plan.tool ?? tool).flat().filter((p) => Math.abs(p.z) < right - left);

@@ -60,9 +60,7 @@ export function chuckDrawing(blank: readonly Ring[], material: Bounds, clamped: 
     jaws: jaws.map(placesOf),
     flanks: jaws.map((ring) => ring.map(({ z, r }) => turned(z, r, half))),
     backs: outwards.map(([p, q]) => [turned(q.z, p.r, half), turned(p.z, p.r, half), turned(p.z, p.r, -half), turned(q.z, p.r, -half)]),
-    limit: limit
-      ? { ...(limit.z !== undefined && { z: limit.z }), ...(limit.x !== undefined && { r: radiusOf(limit.x) }) }
-      : null,
+    limit: limit ? { ...(limit.z !== undefined && { z: limit.z }), ...(limit.x !== undefined && { r: radiusOf(limit.x) }) } : null,
     all,
     seen: {
       left: Math.min(material.left, tip) - by,
