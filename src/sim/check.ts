@@ -49,7 +49,11 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
   const { steps, finished, rear, loose } = against;
   const step = steps[index] as Step, outlines = against.outlines(step.tool);
   const found: AnyFinding[] = [];
-  const report = (kind: AnyFinding["kind"], rings: Ring[], by: Pick<AnyFinding, "block" | "operation" | "isMeant" | "rear"> = step) => {
+  const report = (
+    kind: AnyFinding["kind"],
+    rings: Ring[],
+    by: Pick<AnyFinding, "block" | "operation" | "isMeant" | "rear" | "below"> = step,
+  ) => {
     if (rings.length > 0)
       found.push({
         kind,
@@ -61,6 +65,7 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
         rings,
         moves: 1,
         ...(by.isMeant && { isMeant: true }),
+        ...(by.below !== undefined && { below: by.below }),
         ...(by.rear !== undefined && { rear: by.rear }),
       });
   };
@@ -77,11 +82,13 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
   // A bore is cut by the shape of the drill: the contours of turning cycles say nothing of it.
   if (touches && !isDrill(step.tool) && sweep.pieces.some((p) => finished.edges.meets(p))) {
     const taken = sure(real(inStock([sweep], now, finished.rings)));
-    const kind = taken.length > 0 && isPlainCut(step)
-      ? judgePlainCut(index, taken, cut, { ...against, surfaces: finished.surfaces })
-      : "gouge";
-    if (kind === "meant") report("cutBelowContour", taken, { ...step, isMeant: true });
-    else if (kind) report(kind, taken);
+    if (taken.length === 0 || !isPlainCut(step)) report("gouge", taken);
+    else {
+      const judged = judgePlainCut(index, taken, cut, { ...against, surfaces: finished.surfaces });
+      const { kind = null, below = -1 } = judged ?? {};
+      if (kind === "gouge") report(kind, taken);
+      else if (kind) report("cutBelowContour", taken, { ...step, below, ...(kind === "meant" && { isMeant: true }) });
+    }
   }
   report("holderContact", sure(holderHits(step, outlines, now)));
   if (rear && !against.isClamped)

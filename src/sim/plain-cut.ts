@@ -67,15 +67,32 @@ const bores = (tool: Tool): boolean => tipDirection(tool.TO).v > 0;
 /** Tools that make a shape by themselves. */
 const makesShape = (tool: Tool): boolean => isBar(tool) || tool.TYPE === "THREAD" || isDrill(tool) || bores(tool);
 
-/** How much of a surface lies against an area, mm. A face ends where a bore begins, so that boring takes nothing of it. */
-function lengthAgainst({ line, isInside: inBore }: Surface, wide: readonly Ring[], tool: Tool): number {
+/** What a cut takes, and which faces are none of a surface for it. */
+interface Taking {
+  readonly area: readonly Ring[];
+  readonly tool: Tool;
+  readonly stock: readonly Ring[];
+}
+
+/**
+ * From which Z on faces are not looked at: a face ends where a bore begins, so that boring takes nothing of any, and the one in front ends
+ * where the outside is turned.
+ */
+function facesEndAt({ area, tool, stock }: Taking): number {
+  if (bores(tool)) return -Infinity;
+  const own = boxAround(area), outside = boxAround(inBox(stock, { ...own, low: 0, high: Infinity })).high;
+  return own.high >= outside - AGAINST ? boxAround(stock).right - AGAINST : Infinity;
+}
+
+/** How much of a surface lies against an area, mm; faces from a Z on are left out. */
+function lengthAgainst({ line, isInside: inBore }: Surface, wide: readonly Ring[], faces: number): number {
   const box = boxAround(wide);
   const holds = (p: Pt) =>
     p.z >= box.left && p.z <= box.right && p.r >= box.low && p.r <= box.high && wide.some((ring) => isInside(ring, p));
   let length = 0;
   line.slice(1).forEach((q, i) => {
     const p = line[i] as Pt, size = hypotenuse(q.z - p.z, q.r - p.r);
-    if (bores(tool) && !inBore && Math.abs(q.r - p.r) > Math.abs(q.z - p.z)) return;
+    if (!inBore && Math.abs(q.r - p.r) > Math.abs(q.z - p.z) && Math.min(p.z, q.z) >= faces) return;
     if (Math.max(p.z, q.z) < box.left || Math.min(p.z, q.z) > box.right || Math.max(p.r, q.r) < box.low || Math.min(p.r, q.r) > box.high)
       return;
     const parts = Math.max(1, Math.ceil(size / AGAINST));
@@ -87,10 +104,10 @@ function lengthAgainst({ line, isInside: inBore }: Surface, wide: readonly Ring[
   return length;
 }
 
-/** The surfaces that an area takes away. */
-export function surfacesIn(area: readonly Ring[], surfaces: readonly Surface[], tool: Tool): Surface[] {
-  const wide = offset(area, AGAINST);
-  return surfaces.filter((surface) => lengthAgainst(surface, wide, tool) >= LEAST_SURFACE);
+/** The surfaces that a cut takes away. */
+export function surfacesIn(taking: Taking, surfaces: readonly Surface[]): Surface[] {
+  const wide = offset(taking.area, AGAINST), faces = facesEndAt(taking);
+  return surfaces.filter((surface) => lengthAgainst(surface, wide, faces) >= LEAST_SURFACE);
 }
 
 const crossProduct = (o: Pt, a: Pt, b: Pt) => (a.z - o.z) * (b.r - o.r) - (a.r - o.r) * (b.z - o.z);
@@ -113,29 +130,35 @@ export interface Beside {
   readonly outlines: (tool: Tool) => Outlines;
 }
 
-/** What a plain cut below a finished contour is; "meant" is no fault, unless what follows it changes; null: it is not below one. */
-export type PlainCut = "gouge" | "cutBelowContour" | "meant" | null;
+/** What a plain cut below the contour of an operation is; "meant" is no fault, unless what follows it changes. */
+export interface PlainCut {
+  readonly kind: "gouge" | "cutBelowContour" | "meant";
+  /** The operation whose contour is taken first. */
+  readonly below: number;
+}
 
 /**
  * Judges a plain cut that takes `area` of the finished part in a stock. Inside the part, where no contour of a cycle is taken away, it makes
  * a surface of its own. An end of the part or a broken edge is meant, as is what the program says to be. It goes through a finished surface by mistake when it
  * makes none of the shapes that are cut on purpose: compensated, with a tool that does not rough, or from outside the stock to outside of it.
  */
-export function judgePlainCut(index: number, area: readonly Ring[], cut: Cutting, beside: Beside): PlainCut {
+export function judgePlainCut(index: number, area: readonly Ring[], cut: Cutting, beside: Beside): PlainCut | null {
   const { steps, surfaces, outlines } = beside;
   const step = steps[index] as Step;
-  const touched = surfacesIn(area, surfaces, step.tool);
-  if (touched.length === 0) return null;
-  if (step.intent === "meant") return "meant";
+  const stock = cut.stock();
+  const touched = surfacesIn({ area, tool: step.tool, stock }, surfaces);
+  const [first] = touched;
+  if (!first) return null;
+  const as = (kind: PlainCut["kind"]): PlainCut => ({ kind, below: first.operation });
+  if (step.intent === "meant") return as("meant");
   const { insert } = outlines(step.tool);
   const [, last] = plainRun(steps, index);
-  const stock = cut.stock();
-  if (makesEnd(index, area, stock, beside)) return "meant";
+  if (makesEnd(index, area, stock, beside)) return as("meant");
   const end = (steps[last] as Step).move.to;
   const isOutside = () => real(intersection(stock, turned(insert.map((p) => at(p.z + end.z, p.r + end.r))))).length === 0;
   const isShape = step.intent === "compensated" || makesShape(step.tool) || isOutside();
-  if (isShape && breaksEdge(area, stock)) return "meant";
-  return !isShape && touched.some((surface) => goesThrough(surface, step, insert)) ? "gouge" : "cutBelowContour";
+  if (isShape && breaksEdge(area, stock)) return as("meant");
+  return as(!isShape && touched.some((surface) => goesThrough(surface, step, insert)) ? "gouge" : "cutBelowContour");
 }
 
 /**
@@ -175,7 +198,3 @@ function breaksEdge(area: readonly Ring[], stock: readonly Ring[]): boolean {
     })
   );
 }
-
-/** The operation whose contour a cut goes below: that of the surface which is taken first. */
-export const operationBelow = (area: readonly Ring[], surfaces: readonly Surface[], tool: Tool): number | null =>
-  surfacesIn(area, surfaces, tool)[0]?.operation ?? null;

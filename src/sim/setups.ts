@@ -31,7 +31,6 @@ export function setupsOf(
     atFirst,
     begunBefore,
     finished: () => finished,
-    surfaces: contourSurfaces(operations, 0),
     /** Pieces that are parted off take with them what the operations so far have left on them. */
     partOff(pieces: readonly Ring[], step: number): void {
       left.push(...until(pieces, begunBefore(step)));

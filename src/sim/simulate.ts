@@ -13,7 +13,6 @@ import { cutEnds, holding, loosePieces, onLoosePieces, partsOff, type Parted } f
 import { marksOf } from "./marks.ts";
 import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
-import { operationBelow } from "./plain-cut.ts";
 import { recalling } from "./recall.ts";
 import { setupsOf } from "./setups.ts";
 import { residualAgain, residualOf, type KnownShapes } from "./residual.ts";
@@ -138,10 +137,10 @@ const fallen = (parted: readonly Parted[]): number =>
   parted.reduce((sum, { loose }) => sum + loose.reduce((all, { area }) => all + area, 0), 0);
 
 /** A finding with what only the whole run tells of it; none where that shows it to be no fault. */
-function settled(f: AnyFinding, loose: readonly LoosePiece[], below: (f: AnyFinding) => number | undefined): AnyFinding[] {
+function settled(f: AnyFinding, loose: readonly LoosePiece[], blockOf: (operation?: number) => number | undefined): AnyFinding[] {
   if (f.isMeant) return [];
   if (f.kind === "cutOnLoosePiece") return onLoosePieces(f, loose);
-  return [f.kind === "cutBelowContour" ? { ...f, other: below(f) ?? f.block } : f];
+  return [f.kind === "cutBelowContour" ? { ...f, other: blockOf(f.below) ?? f.block } : f];
 }
 
 const isRemark = (f: AnyFinding): f is StockFinding<StockRemark> => f.kind === "cutBelowContour" || f.kind === "feedBehindBlank";
@@ -247,9 +246,8 @@ function simulated(
   for (const each of damage.values()) found.add(each);
   found.add(clampContacts(steps, input.clamping, outlines));
   const loose = held.parted().flatMap((parted) => loosePieces(parted, steps));
-  const blockOf = (operation: number | null) => steps[operations[operation ?? -1]?.firstStep ?? -1]?.block;
-  const below = ({ rings, step }: AnyFinding) => blockOf(operationBelow(rings, setups.surfaces, (steps[step] as Step).tool));
-  const all = found.all().flatMap((f) => settled(f, loose, below));
+  const blockOf = (operation = -1) => steps[operations[operation]?.firstStep ?? -1]?.block;
+  const all = found.all().flatMap((f) => settled(f, loose, blockOf));
   const findings = all.filter(isFault);
   const measured = measure.results(steps);
   const startTimes = startTimesOf(steps);

@@ -72,6 +72,8 @@ export interface StockFinding<Kind = StockFault> {
   readonly moves: number;
   /** The block that it is about beside its own: the cycle whose contour a plain cut goes below, or what cut a piece loose. */
   readonly other?: number;
+  /** The operation whose contour a plain cut goes below. */
+  readonly below?: number;
   /** Where the blank ends that it is behind of, Z in mm. */
   readonly rear?: number;
   /** A plain cut below a contour that is no fault; it is kept while the run may still change. */

@@ -1,4 +1,4 @@
-; expect: gouge verdict=faults
+; expect: gouge@11 verdict=faults
 0 BEGIN PGM CASE MM
 1 BLK FORM CYLINDER Z D40 L100 DIST+0
 2 FUNCTION MODE TURN
