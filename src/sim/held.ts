@@ -155,8 +155,19 @@ export function onLoosePieces(finding: AnyFinding, pieces: readonly LoosePiece[]
   return [{ ...finding, rings, area: areaOf(rings), place: placeIn(largest(rings)), other: first.by }];
 }
 
-/** Whether a cut ends before a step: an operation, a run of feed moves outside cycles, or of rapids, which may run into material. */
+/** A tip this near to the axis may part the work, mm. */
+const NEAR_AXIS = 2;
+/** Whether a motion outside cycles may part the work off by itself. */
+const mayPart = ({ tool, from, move }: Step): boolean => isBar(tool) || Math.min(Math.abs(from.r), Math.abs(move.to.r)) < NEAR_AXIS;
+
+/**
+ * Whether a cut ends before a step, so that it is looked at what still hangs together: behind an operation, and behind a run of feed moves or
+ * of rapids that may part the work. What many other cuts by hand leave together is looked at once, behind the last one of their tool.
+ */
 export function cutEnds(steps: readonly Step[], index: number): boolean {
-  const cutOf = (step: Step | undefined) => step && (step.operation ?? step.move.kind === "rapid");
-  return index > 0 && cutOf(steps[index - 1]) !== cutOf(steps[index]);
+  const [before, next] = [steps[index - 1], steps[index]];
+  if (!before) return false;
+  if (before.operation !== null) return next?.operation !== before.operation;
+  if (next?.operation !== null || next.tool !== before.tool) return true;
+  return (before.move.kind === "rapid") !== (next.move.kind === "rapid") && mayPart(before);
 }

@@ -55,6 +55,11 @@ interface Seen {
   readonly thickness?: number;
 }
 
+/** A place that is seen at a moment, with what lies round it. */
+const spotIn = (rings: readonly Ring[], place: Pt, position: Unmarked["position"]): Seen => ({
+  spot: { plane: "ZX", kind: "finding", place, bounds: boundsRound(rings, place), position },
+});
+
 /** A move, looked at when half of it is done. */
 function spotOfMove({ steps }: Simulation, step: number): Unmarked | null {
   const s = steps[step];
@@ -85,9 +90,12 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
     }
     case "cutBehindLimit": {
       const b = proof.operations.flatMap((o) => o.behindLimits).find(isAt(issue.data));
-      if (!b) return null;
-      const position = { step: b.step, fraction: SEEN.cutBehindLimit };
-      return { spot: { plane: "ZX", kind: "finding", place: b.place, bounds: boundsRound([b.ring], b.place), position } };
+      return b ? spotIn([b.ring], b.place, { step: b.step, fraction: SEEN.cutBehindLimit }) : null;
+    }
+    case "cameLoose":
+    case "partedOff": {
+      const piece = proof.loose.find(isAt(issue.data));
+      return piece ? spotIn(piece.rings, piece.place, { step: piece.step, fraction: 0 }) : null;
     }
     case "gouge":
     case "threadOverruns":
@@ -99,18 +107,9 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
     case "behindBlank": {
       const code = issue.code === "threadOverruns" ? "gouge" : issue.code;
       const f = [...findings, ...proof.remarks].find((each) => codeOf(each.kind) === code && isAt(issue.data)(each));
-      const spot = f || step === null ? null : spotOfMove(simulation, step);
-      return f
-        ? {
-          spot: {
-            plane: "ZX",
-            kind: "finding",
-            place: f.place,
-            bounds: boundsRound(f.rings, f.place),
-            position: { step: f.step, fraction: SEEN[f.kind] },
-          },
-        }
-        : spot && { spot };
+      if (f) return spotIn(f.rings, f.place, { step: f.step, fraction: SEEN[f.kind] });
+      const { unheld } = proof;
+      return unheld && spotIn([], unheld.place, { step: steps.length, fraction: 0 });
     }
     default: {
       const spot = step === null ? null : spotOfMove(simulation, step);
