@@ -161,8 +161,8 @@ const NEAR_AXIS = 2;
 const mayPart = ({ tool, from, move }: Step): boolean => isBar(tool) || Math.min(Math.abs(from.r), Math.abs(move.to.r)) < NEAR_AXIS;
 
 /**
- * Whether a cut ends before a step, so that it is looked at what still hangs together: behind an operation, and behind a run of feed moves or
- * of rapids that may part the work. What many other cuts by hand leave together is looked at once, behind the last one of their tool.
+ * Whether a cut ends before a step, so that it is looked at what still hangs together: behind an operation, and behind a run of feed
+ * moves or of rapids that may part the work. Other cuts by hand are looked at together, behind the last one of their tool.
  */
 export function cutEnds(steps: readonly Step[], index: number): boolean {
   const [before, next] = [steps[index - 1], steps[index]];

@@ -138,9 +138,10 @@ export interface PlainCut {
 }
 
 /**
- * Judges a plain cut that takes `area` of the finished part in a stock. Inside the part, where no contour of a cycle is taken away, it makes
- * a surface of its own. An end of the part or a broken edge is meant, as is what the program says to be. It goes through a finished surface by mistake when it
- * makes none of the shapes that are cut on purpose: compensated, with a tool that does not rough, or from outside the stock to outside of it.
+ * Judges a plain cut that takes `area` of the finished part in a stock. Inside the part, where no contour of a cycle is taken away, it
+ * makes a surface of its own. An end of the part or a broken edge is meant, as is what the program says to be. It goes through a finished
+ * surface by mistake when it makes none of the shapes that are cut on purpose: compensated, with a tool that does not rough, or from
+ * outside the stock to outside of it.
  */
 export function judgePlainCut(index: number, area: readonly Ring[], cut: Cutting, beside: Beside): PlainCut | null {
   const { steps, surfaces, outlines } = beside;

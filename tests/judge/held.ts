@@ -12,8 +12,8 @@ interface Stretch {
 }
 
 /**
- * The stretches of a field that hang together with what stands within a column of the plane z = `rear`, mm. Stretches of neighbouring columns
- * do when they overlap by more than `least` mm; a negative one joins what nearly touches.
+ * The stretches of a field that hang together with what stands within a column of the plane z = `rear`, mm. Stretches of neighbouring
+ * columns do when they overlap by more than `least` mm; a negative one joins what nearly touches.
  */
 export function heldIn(grid: Grid, field: Field, rear: number, least: number): Field {
   const columns = field.map((column, i) =>

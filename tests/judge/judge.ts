@@ -87,8 +87,8 @@ export function gridOver(rings: readonly (readonly P[])[], along: Grid["along"],
 }
 
 /**
- * Cuts a blank by motions. `part`: the finished part, as closed polygons; nothing may cut there. `whole` tells behind which motions a cut has
- * ended: then only what hangs together with the rear end stays.
+ * Cuts a blank by motions. `part`: the finished part, as closed polygons; nothing may cut there. `whole` tells behind which motions a
+ * cut has ended: then only what hangs together with the rear end stays.
  */
 export function judge(
   blank: readonly (readonly P[])[],
