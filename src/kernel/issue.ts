@@ -152,7 +152,8 @@ interface Data {
   /** The same where nothing simple helps. */
   approachBlocked: { point: "PS" | "PN"; depth: number; x: number; y?: number; z?: number };
   /* proof */
-  materialLeft: { reason: Reason; area: number; x: number; z: number };
+  /** `asked`: the values ask for it: an oversize, or a corner to which no radius is given. */
+  materialLeft: { reason: Reason; area: number; x: number; z: number; asked?: true };
   gouge: { area: number; x: number; z: number };
   /**
    * Behind its end a thread cuts the finished part: its tip at the depth (`shaft`), or a flank what stands beside the way of the tip

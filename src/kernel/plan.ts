@@ -68,6 +68,13 @@ export interface MachiningLimit {
   readonly behind: 1 | -1;
 }
 
+/** What a cycle is asked to leave: it stays on purpose. */
+export interface LeftOnPurpose {
+  readonly oversize: boolean;
+  /** A corner as round as the insert. */
+  readonly corner: boolean;
+}
+
 /** What a cycle makes of its values: moves plus issues, and what can be planned is planned. */
 export interface Plan {
   /** The tool as the cycle adapts it (Q499 = 2 mirrors the tip); absent when it works as it is. */
@@ -98,6 +105,8 @@ export interface Plan {
   readonly most: Length;
   /** The oversize that the values leave on the radius and along Z, mm; absent when the cycle has none. */
   readonly oversize?: { readonly r: number; readonly z: number };
+  /** What the values ask it to leave; nothing where absent. */
+  readonly asked?: LeftOnPurpose;
   /** Of a thread. */
   readonly thread?: ThreadPlan;
   /** The deepest path as it would run without machining limits; absent when there are none. */

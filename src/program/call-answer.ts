@@ -2,6 +2,7 @@ import type { Cycle, Given } from "../cycles/define.ts";
 import type { Issue } from "../kernel/issue.ts";
 import type { Plan, Setting } from "../kernel/plan.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
+import { askedOf } from "../cycles/asked.ts";
 import { empty } from "../kernel/strategy/leveled.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { cycleValues } from "./cycle-values.ts";
@@ -57,7 +58,9 @@ function answer(
   const [stock, blank] = [standing && counted(standing), counted(machine.now.blank)];
   const solid = unbored ? { rings: counted(unbored.rings), below: unbored.below - datum.z, isBored: unbored.isBored } : null;
   const setting = { tool, start, feedUnit: machine.feedUnit, autoFeed, stock, leavesOutAir: machine.traced !== null, solid, blank };
-  const plan = values && (cycle.contour === "own" || contour) ? cycle.plan(values, setting, given) : nothing;
+  const plan = values && (cycle.contour === "own" || contour)
+    ? { ...cycle.plan(values, setting, given), asked: askedOf(cycle, values) }
+    : nothing;
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
   // What a tool that was never called would do wrong is no fault of the program.
   const planned = called ? plan.issues : [];

@@ -50,7 +50,7 @@ function faultsOf(run: Run, { findings }: Pick<Simulation, "findings">): Verdict
 }
 
 /** What was not simulated or did nothing, in the order of the program where that is known. */
-function gapsOf(run: Run, { proof }: Pick<Simulation, "proof">): VerdictReason[] {
+function gapsOf(run: Run, { findings, proof }: Pick<Simulation, "findings" | "proof">): VerdictReason[] {
   const out: VerdictReason[] = proof.unproved.map(({ block, what, file }) => ({
     kind: "unproved",
     block,
@@ -60,7 +60,8 @@ function gapsOf(run: Run, { proof }: Pick<Simulation, "proof">): VerdictReason[]
   const milled = run.plane.find((s) => s.kind !== "rapid");
   if (milled) out.push({ kind: "milling", block: milled.block });
   run.operations.forEach((o, operation) => {
-    const failed = o.issues.some((i) => i.severity === "error");
+    const failed = o.issues.some((i) => i.severity === "error")
+      || findings.some((f) => f.kind === "cutOnLoosePiece" && f.operation === operation);
     if (!failed && (proof.operations[operation]?.cut ?? 0) < REAL_AREA) out.push({ kind: "nothingCut", block: o.block, operation });
   });
   if (run.operations.length === 0) out.push({ kind: "noOperation", block: null });

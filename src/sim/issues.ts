@@ -2,17 +2,10 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import { REAL_AREA } from "../kernel/real-area.ts";
 import type { Pt } from "../kernel/point.ts";
 import { radius, toDiameter } from "../kernel/units.ts";
+import { causesAlone, type ProofIssue } from "./causes.ts";
 import { MOST_CONTACTS } from "./check.ts";
 import { isTooDeep } from "./measure.ts";
 import type { AnyFinding, Depth, LoosePiece, OperationProof, Residual, Simulation, ThreadWay } from "./simulation.ts";
-
-/** An issue of the proof with where it belongs; block and operation are null for what is left at the end. */
-export interface ProofIssue {
-  readonly issue: Issue;
-  readonly step: number | null;
-  readonly block: number | null;
-  readonly operation: number | null;
-}
 
 /** Heights above the crest of a thread that are measuring, not a shoulder, mm. */
 const OVER_CREST = 0.05;
@@ -84,8 +77,8 @@ const fromUnheld = ({ unheld }: Simulation["proof"]): ProofIssue[] => {
 };
 
 function fromResidual(r: Residual): ProofIssue {
-  const data = { reason: r.reason, area: r.area, x: toDiameter(r.place.r), z: r.place.z };
-  return { issue: issue("materialLeft", "warning", data), step: null, block: null, operation: r.operation };
+  const data = { reason: r.reason, area: r.area, x: toDiameter(r.place.r), z: r.place.z, ...(r.isAsked && { asked: true as const }) };
+  return { issue: issue("materialLeft", r.isAsked ? "info" : "warning", data), step: null, block: null, operation: r.operation };
 }
 
 /** What the stock says about one operation: where it began, what it took at once, and what it took at all. */
@@ -135,9 +128,12 @@ const fromStated = ({ stated }: Simulation["proof"]): ProofIssue[] =>
 const fromUnlooked = ({ unlooked }: Simulation["proof"]): ProofIssue[] =>
   unlooked ? [{ issue: issue("contactsUnlooked", "error", { limit: MOST_CONTACTS }), ...unlooked, operation: null }] : [];
 
-/** What the simulation found, as issues: contacts of moves, then what each operation did, then each region that stays. X is a diameter. */
-export const stockIssues =
-  (simulation: Pick<Simulation, "findings" | "proof">): ProofIssue[] => [
+/**
+ * What the simulation found, as issues: contacts of moves, then what each operation did, then each region that stays; what follows from
+ * another finding is left out. X is a diameter.
+ */
+export const stockIssues = (simulation: Pick<Simulation, "findings" | "proof">): ProofIssue[] =>
+  causesAlone([
     ...simulation.findings.map((f) => fromFinding(f, simulation.proof.operations)),
     ...simulation.proof.remarks.map((f) => fromFinding(f, simulation.proof.operations)),
     ...simulation.proof.loose.map(fromLoose),
@@ -146,4 +142,4 @@ export const stockIssues =
     ...fromStated(simulation.proof),
     ...simulation.proof.operations.flatMap(fromOperation),
     ...simulation.proof.residual.map(fromResidual),
-  ];
+  ]);

@@ -125,6 +125,9 @@ const overThreads = (
     return regionsOf(stands, LEAST_RESIDUAL).map((region) => residualAt(region, operation, "overCrest", known));
   });
 
+const isAsked = ({ plan: { asked } }: SimulatedOperation, reason: Reason): boolean =>
+  asked !== undefined && ((reason === "oversize" && asked.oversize) || (reason === "insertRadius" && asked.corner));
+
 const residualAt = (region: Region, operation: number, reason: Reason, { thickness }: KnownShapes): Residual => ({
   area: region.area,
   thickness: thickness([region.outline, ...region.holes]),
@@ -158,8 +161,9 @@ function withinAreas(
 
   const described = (area: readonly Ring[], because: (ring: Ring, owner: SimulatedOperation) => Reason): Residual[] =>
     regionsOf(area, LEAST_RESIDUAL).map((region) => {
-      const operation = ownerOf(region, operations);
-      return residualAt(region, operation, because(region.outline, operations[operation] as SimulatedOperation), known);
+      const operation = ownerOf(region, operations), owner = operations[operation] as SimulatedOperation;
+      const left = residualAt(region, operation, because(region.outline, owner), known);
+      return isAsked(owner, left.reason) ? { ...left, isAsked: true } : left;
     });
   return [
     ...described(kept, (ring, owner) => reasonFor(ring, owner, outlines(toolOf(owner)))),

@@ -93,6 +93,8 @@ export interface Residual {
   readonly place: Pt;
   /** The operation that should have taken it. */
   readonly operation: number;
+  /** True where the values of that operation ask for it. */
+  readonly isAsked?: true;
 }
 
 /** What became of a blank that was stated while the program ran, mm². */

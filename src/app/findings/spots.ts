@@ -3,7 +3,7 @@ import { partPoint, plane, type PlanePoint, type PlaneSegment } from "../../kern
 import type { Pt, Ring } from "../../kernel/point.ts";
 import { axial, diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
 import type { RunFinding as RunFinding, Run } from "../../program/run-types.ts";
-import type { ProofIssue } from "../../sim/issues.ts";
+import type { ProofIssue } from "../../sim/causes.ts";
 import type { AnyFinding, Simulation } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";
 import type { FindingSpot } from "./entry.ts";

@@ -185,7 +185,12 @@ export const messages = {
     },
     undercutDefaults: (d) =>
       `Element ${d.element}: ${d.words} taken from the standard, not printed for this control. Enter the words to be sure.`,
-    materialLeft: (d, w) => `${w.area(d.area)} stay at ${w.place(d.x, d.z)}, left by ${reasons[d.reason]}.`,
+    materialLeft: (d, w) =>
+      d.asked === undefined
+        ? `${w.area(d.area)} stay at ${w.place(d.x, d.z)}, left by ${reasons[d.reason]}.`
+        : d.reason === "oversize"
+        ? `${w.area(d.area)} of oversize stay at ${w.place(d.x, d.z)}, as asked for.`
+        : `The corner at ${w.place(d.x, d.z)} is as round as the insert: ${w.area(d.area)} stay. No other radius is asked for.`,
     gouge: (d, w) => `${w.area(d.area)} of the finished part are cut away at ${w.place(d.x, d.z)}.`,
     rapidInStock: (d, w) => `A rapid runs through ${w.area(d.area)} of material at ${w.place(d.x, d.z)}.`,
     holderContact: (d, w) => `The holder touches material at ${w.place(d.x, d.z)}.`,

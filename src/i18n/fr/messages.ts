@@ -193,7 +193,12 @@ export const messages = {
     },
     undercutDefaults: (d) =>
       `Élément ${d.element} : ${d.words} repris de la norme, non imprimé pour cette commande. Mieux vaut les programmer.`,
-    materialLeft: (d, w) => `Il reste ${w.area(d.area)} en ${w.place(d.x, d.z)}. Cause : ${reasons[d.reason]}.`,
+    materialLeft: (d, w) =>
+      d.asked === undefined
+        ? `Il reste ${w.area(d.area)} en ${w.place(d.x, d.z)}. Cause : ${reasons[d.reason]}.`
+        : d.reason === "oversize"
+        ? `Il reste ${w.area(d.area)} de surépaisseur en ${w.place(d.x, d.z)}, comme demandé.`
+        : `L’angle en ${w.place(d.x, d.z)} a le rayon de la plaquette : il reste ${w.area(d.area)}. Aucun autre rayon n’est demandé.`,
     gouge: (d, w) => `${w.area(d.area)} de la pièce finie sont enlevés en ${w.place(d.x, d.z)}.`,
     rapidInStock: (d, w) => `Un rapide traverse ${w.area(d.area)} de matière en ${w.place(d.x, d.z)}.`,
     holderContact: (d, w) => `Le porte-outil touche la matière en ${w.place(d.x, d.z)}.`,

@@ -141,7 +141,12 @@ export const messages = {
       return `元素${d.element}：DIN 76没有螺距${w.value(d.pitch)}的退刀槽，相邻的为${near}。请取其一，或写明${d.words}。`;
     },
     undercutDefaults: (d) => `元素${d.element}：${d.words}取自标准，本数控系统的手册未印出，建议写明。`,
-    materialLeft: (d, w) => `${w.place(d.x, d.z)}处残留${w.area(d.area)}，原因：${reasons[d.reason]}。`,
+    materialLeft: (d, w) =>
+      d.asked === undefined
+        ? `${w.place(d.x, d.z)}处残留${w.area(d.area)}，原因：${reasons[d.reason]}。`
+        : d.reason === "oversize"
+        ? `${w.place(d.x, d.z)}处按要求留有余量${w.area(d.area)}。`
+        : `${w.place(d.x, d.z)}处的拐角与刀片半径相同：残留${w.area(d.area)}。未要求其他半径。`,
     gouge: (d, w) => `${w.place(d.x, d.z)}处成品工件被切掉${w.area(d.area)}。`,
     rapidInStock: (d, w) => `快移在${w.place(d.x, d.z)}处穿过${w.area(d.area)}材料。`,
     holderContact: (d, w) => `刀杆在${w.place(d.x, d.z)}处碰到材料。`,

@@ -1,0 +1,22 @@
+import type { LeftOnPurpose } from "../kernel/plan.ts";
+import type { Cycle } from "./define.ts";
+import type { Params, Values } from "./params.ts";
+
+/** Operations that leave the oversize: roughing alone, and finishing to it. */
+const TO_OVERSIZE: readonly number[] = [1, 3];
+
+/**
+ * What a cycle is asked to leave by its values: the oversize of roughing alone or of finishing to it, and the radius of the insert in a corner
+ * to which no radius is given. Contours of their own may ask for any corner.
+ */
+export function askedOf({ params, contour, group }: Cycle, values: Values<Params>): LeftOnPurpose {
+  const valueOf = (text: string) => {
+    const q = Object.keys(params).find((name) => params[name]?.text === text);
+    return q === undefined ? undefined : values[q];
+  };
+  const operation = valueOf("operation");
+  return {
+    oversize: typeof operation === "number" && TO_OVERSIZE.includes(operation),
+    corner: contour === "own" && group !== "thread" && (valueOf("cornerRadius") ?? 0) === 0,
+  };
+}
