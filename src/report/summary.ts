@@ -69,6 +69,8 @@ function because(r: VerdictReason): string {
       return `the operation in block ${r.block} cut nothing`;
     case "noOperation":
       return "no turning cycle was run";
+    case "notes":
+      return r.notes.map((note) => NOTES[note]).join(", ");
     case "holderUnknown":
       return `holder not checked: tool ${r.tool} ${r.name} has none`;
     case "flanksUnknown":
@@ -76,12 +78,20 @@ function because(r: VerdictReason): string {
   }
 }
 
+const NOTES = {
+  feed: "a feed that nobody means",
+  air: "most passes of an operation in the air",
+  residue: "more than 1 mm² stay",
+  cutLength: "the cutting edge is too short for the depth",
+} as const;
+/** "Proved" is said of path and stock alone. */
+const SEE_NOTES = "Path checked, see notes";
 const VERDICTS = { proved: "Proved", faults: "Faults found", incomplete: "Not everything was simulated" } as const;
 
 /** The verdict in words, each reason on a line of its own. */
 const verdictLines =
   ({ verdict, reasons }: Report["proof"]) => [
-    `  ${VERDICTS[verdict]}${reasons.length > 0 ? ":" : ""}`,
+    `  ${verdict === "proved" && reasons.some((r) => r.kind === "notes") ? SEE_NOTES : VERDICTS[verdict]}${reasons.length > 0 ? ":" : ""}`,
     ...reasons.map((r) => `    ${because(r)}`),
   ];
 

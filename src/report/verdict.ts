@@ -19,8 +19,13 @@ export type VerdictReason =
   | { readonly kind: "milling"; readonly block: number }
   | { readonly kind: "nothingCut"; readonly block: number; readonly operation: number }
   | { readonly kind: "noOperation"; readonly block: null }
+  /** Path and stock are proved, and yet it is hardly what is wanted. */
+  | { readonly kind: "notes"; readonly block: number | null; readonly notes: readonly VerdictNote[] }
   /** The verdict stands, but nobody has looked at the holder of this tool, or at the flanks of its insert. */
   | { readonly kind: "holderUnknown" | "flanksUnknown"; readonly block: number; readonly tool: number; readonly name: string };
+
+/** A feed that nobody means, most passes of an operation in the air, much that stays, an operation that the edge is too short for. */
+export type VerdictNote = "feed" | "air" | "residue" | "cutLength";
 
 /** The verdict over a whole run with all that speaks for it, the gravest first. */
 export interface Judged {
@@ -32,8 +37,9 @@ export interface Judged {
 
 /** The verdict over a run and its simulation. */
 export function verdictOf(run: Run, simulation: Pick<Simulation, "findings" | "proof">): Judged {
-  const [faults, gaps, notes] = [faultsOf(run, simulation), gapsOf(run, simulation), unlookedAt(run)];
+  const [faults, gaps] = [faultsOf(run, simulation), gapsOf(run, simulation)];
   const verdict = faults.length > 0 ? "faults" : gaps.length > 0 ? "incomplete" : "proved";
+  const notes = [...(verdict === "proved" ? notesOf(run, simulation.proof) : []), ...unlookedAt(run)];
   return { verdict, reasons: [...faults, ...gaps, ...notes], clear: verdict === "proved" && notes.length === 0 };
 }
 
@@ -66,6 +72,30 @@ function gapsOf(run: Run, { findings, proof }: Pick<Simulation, "findings" | "pr
   });
   if (run.operations.length === 0) out.push({ kind: "noOperation", block: null });
   return out;
+}
+
+/** Residue that is no longer a corner, mm². */
+const MUCH = 1;
+
+/** What a setter has to see before he calls it proved, in one reason. */
+function notesOf(run: Run, { operations, residual }: Simulation["proof"]): VerdictReason[] {
+  const left = residual.filter((r) => !r.isAsked);
+  const isInAir = ({ plan: { passes } }: Run["operations"][number], i: number): boolean => {
+    const { cut = 0, airPasses = 0 } = operations[i] ?? {};
+    return passes > 1 && cut >= REAL_AREA && 2 * airPasses > passes;
+  };
+  const inAir = run.operations.findIndex(isInAir);
+  const said = (code: string) => run.issues.find((f) => f.issue.code === code);
+  const [feed, short] = [said("feedUnlikely"), said("depthOverCutLength")];
+  const cutShort = left.find((r) => r.reason === "cutLength");
+  const notes: readonly VerdictNote[] = [
+    ...(feed ? ["feed" as const] : []),
+    ...(inAir >= 0 ? ["air" as const] : []),
+    ...(left.reduce((sum, r) => sum + r.area, 0) > MUCH ? ["residue" as const] : []),
+    ...(short || cutShort ? ["cutLength" as const] : []),
+  ];
+  const block = feed?.block ?? run.operations[inAir]?.block ?? short?.block ?? run.operations[left[0]?.operation ?? -1]?.block ?? null;
+  return notes.length > 0 ? [{ kind: "notes", block, notes }] : [];
 }
 
 /** Tools that moved and are not described in full, each once. */

@@ -26,6 +26,8 @@ function because(t: Words["because"], doubt: Doubt): readonly string[] {
       return [doubt.block === null ? t.unprovedAnywhere(whatOf(t, doubt)) : t.unproved(whatOf(t, doubt), String(doubt.block))];
     case "milling":
       return [t.milling(String(doubt.block))];
+    case "notes":
+      return doubt.notes.map((note) => t.notes[note]);
     case "nothingCut":
       return [t.nothingCut(String(doubt.cycle), String(doubt.block))];
     case "noOperation":

@@ -4,7 +4,7 @@ import { isError, isToDo, type FindingEntry } from "./entry.ts";
 
 /** Why a program is not proved, or not wholly, with what the sentence about it needs. */
 export type Doubt =
-  | Extract<VerdictReason, { kind: "unproved" | "milling" }>
+  | Extract<VerdictReason, { kind: "unproved" | "milling" | "notes" }>
   | { readonly kind: "nothingCut"; readonly block: number; readonly cycle: number }
   /** `begun`: something in it is cut or drawn all the same, or a cycle is described that no call runs; `turned`: moves cut without one. */
   | { readonly kind: "noOperation"; readonly approachesClear: boolean; readonly begun: boolean; readonly turned: boolean }
@@ -34,6 +34,7 @@ function doubtsOf(reasons: readonly VerdictReason[], entries: readonly FindingEn
     switch (reason.kind) {
       case "unproved":
       case "milling":
+      case "notes":
         doubts.push(reason);
         break;
       case "nothingCut":

@@ -45,7 +45,14 @@ export const findings = {
     flanksUnknown: "Bahn geprüft, Flanken nicht geprüft",
     faultsIn: (n, file) => (n === 1 ? `1 Fehler, in ${file}` : `${n} Fehler, der erste in ${file}`),
     unprovedIn: (file) => `In ${file} wurde nicht alles simuliert`,
+    notes: "Weg geprüft, Hinweise beachten",
     because: {
+      notes: {
+        feed: "Ein Vorschub ist kaum so gemeint.",
+        air: "Die meisten Schnitte einer Bearbeitung gehen durch Luft.",
+        residue: "Es bleibt mehr als 1 mm² Material, das nicht vorgegeben ist.",
+        cutLength: "Die Schneide ist zu kurz für die Tiefe einer Bearbeitung.",
+      },
       whatIn: (what, file) => `${what} in ${file}`,
       unproved: (what, block) => `Ab Satz ${block} ist nichts geprüft: ${what} wird nicht simuliert.`,
       unprovedAnywhere: (what) => `${what} wird nicht simuliert: Nichts ist geprüft.`,

@@ -201,7 +201,9 @@ export const messages = {
         ? `Restmaterial bei ${w.place(d.x, d.z)}: ${w.area(d.area)}. Grund: ${reasons[d.reason]}.`
         : d.reason === "oversize"
         ? `Bei ${w.place(d.x, d.z)} bleiben ${w.area(d.area)} Aufmaß stehen, wie vorgegeben.`
-        : `Die Ecke bei ${w.place(d.x, d.z)} hat den Radius der Schneide: ${w.area(d.area)} bleiben stehen. Ein anderer Radius ist nicht vorgegeben.`,
+        : `Die Ecke bei ${w.place(d.x, d.z)} hat den Radius der Schneide: ${
+          w.area(d.area)
+        } bleiben stehen. Ein anderer Radius ist nicht vorgegeben.`,
     gouge: (d, w) => `Konturverletzung bei ${w.place(d.x, d.z)}: ${w.area(d.area)} des Fertigteils weggeschnitten.`,
     rapidInStock: (d, w) => `Eine Eilgangbewegung fährt bei ${w.place(d.x, d.z)} durch ${w.area(d.area)} Material.`,
     holderContact: (d, w) => `Der Halter berührt bei ${w.place(d.x, d.z)} das Material.`,

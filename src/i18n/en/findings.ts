@@ -46,7 +46,14 @@ export const findings = {
     flanksUnknown: "Path proved, flanks not checked",
     faultsIn: (n: number, file: string) => (n === 1 ? `1 fault, in ${file}` : `${n} faults, the first in ${file}`),
     unprovedIn: (file: string) => `Not everything in ${file} was simulated`,
+    notes: "Path checked, see notes",
     because: {
+      notes: {
+        feed: "A feed is one that nobody means.",
+        air: "Most passes of an operation cut air.",
+        residue: "More than 1 mm² of material stays that nobody asked for.",
+        cutLength: "The cutting edge is too short for the depth of an operation.",
+      },
       whatIn: (what: string, file: string) => `${what} in ${file}`,
       unproved: (what: string, block: string) => `From block ${block} on nothing is proved: ${what} is not simulated.`,
       unprovedAnywhere: (what: string) => `${what} is not simulated: nothing is proved.`,

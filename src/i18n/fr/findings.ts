@@ -45,7 +45,14 @@ export const findings = {
     flanksUnknown: "Trajectoire contrôlée, flancs non contrôlés",
     faultsIn: (n, file) => (n === 1 ? `1 défaut, dans ${file}` : `${n} défauts, le premier dans ${file}`),
     unprovedIn: (file) => `Tout n’a pas été simulé dans ${file}`,
+    notes: "Trajectoire vérifiée, voir les remarques",
     because: {
+      notes: {
+        feed: "Une avance n’est guère voulue ainsi.",
+        air: "La plupart des passes d’une opération usinent dans le vide.",
+        residue: "Il reste plus de 1 mm² de matière qui n’est pas demandé.",
+        cutLength: "L’arête est trop courte pour la profondeur d’une opération.",
+      },
       whatIn: (what, file) => `${what} dans ${file}`,
       unproved: (what, block) => `À partir de la séquence ${block}, rien n’est contrôlé : ${what} n’est pas simulé.`,
       unprovedAnywhere: (what) => `${what} n’est pas simulé : rien n’est contrôlé.`,

@@ -45,7 +45,14 @@ export const findings = {
     flanksUnknown: "路径已验证，侧刃未检查",
     faultsIn: (n, file) => (n === 1 ? `${file} 中有 1 个错误` : `${n} 个错误，第一个在 ${file} 中`),
     unprovedIn: (file) => `${file} 并非全部都已仿真`,
+    notes: "路径已检查，请看提示",
     because: {
+      notes: {
+        feed: "某个进给值不太可能是有意的。",
+        air: "某次加工的大多数走刀在空切。",
+        residue: "残留材料超过1 mm²，且并非要求。",
+        cutLength: "刀刃长度不足以达到某次加工的深度。",
+      },
       whatIn: (what, file) => `${file} 中的 ${what}`,
       unproved: (what, block) => `从程序段 ${block} 起没有验证：${what} 未仿真。`,
       unprovedAnywhere: (what) => `${what} 未仿真：没有任何验证。`,
