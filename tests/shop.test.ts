@@ -59,15 +59,12 @@ const shopTools = (() => {
 function differences(r: Report, { infos = [], partsOff = 0, left = 0 }: Said): string[] {
   const { proof } = r;
   const stays = proof.residual.reduce((sum, each) => sum + each.area, 0);
-  const loose = r.issues.filter((i) => i.code === "cameLoose").reduce(
-    (sum, i) => sum + ((i.data as { readonly places?: number }).places ?? 1),
-    0,
-  );
-  const needless = r.issues.filter((i) => i.severity === "info" ? !infos.includes(i.code) : !(i.code === "cameLoose" && partsOff > 0));
+  const parted = r.issues.filter((i) => i.code === "partedOff").length;
+  const needless = r.issues.filter((i) => i.code !== "partedOff" && !(i.severity === "info" && infos.includes(i.code)));
   return [
     ...(proof.verdict === "proved" ? [] : [`verdict ${proof.verdict}`]),
     ...needless.map((i) => `${i.severity} ${i.code}, block ${i.block}: ${i.text}`),
-    ...(loose > partsOff ? [`${loose} pieces come loose`] : []),
+    ...(parted === partsOff ? [] : [`${parted} pieces are parted off`]),
     ...(stays > left ? [`${stays} mm² stay`] : []),
     ...(proof.holder === "contact" ? ["holder touches"] : []),
   ];

@@ -128,8 +128,8 @@ const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: Stat
 /** Kinds that are run by the order of the blocks, or by their M functions. */
 const IN_ORDER: ReadonlySet<Statement["kind"]> = new Set(["begin", "end", "label", "call", "jump", "raise", "functions", "stop"]);
 
-/** Whether a block of a kind does anything. */
-export const acts = (kind: Statement["kind"]): boolean => HANDLERS[kind] !== undefined || IN_ORDER.has(kind);
+/** Whether a block of a kind does anything; of comments only the one that states the clamping is read. */
+export const acts = (kind: Statement["kind"]): boolean => kind !== "comment" && (HANDLERS[kind] !== undefined || IN_ORDER.has(kind));
 
 /** Blocks behind which no contour goes on. */
 const ENDING: ReadonlySet<Statement["kind"]> = new Set(["mode", "toolCall", "cycleCall"]);

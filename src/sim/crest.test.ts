@@ -91,7 +91,7 @@ describe("damage behind the end of a thread", () => {
   };
   function told(place: Pt, thread: ThreadWay | null) {
     const finding: StockFinding = { kind: "gouge", step: 3, block: 18, operation: 0, place, area: 1.5, rings: [], moves: 2 };
-    const proof = { operations: [{ ...none, thread }], residual: [], stated: [], unlooked: null };
+    const proof = { operations: [{ ...none, thread }], residual: [], stated: [], unlooked: null, remarks: [], loose: [], unheld: null };
     return stockIssues({ findings: [finding], proof } as unknown as Parameters<typeof stockIssues>[0])[0]?.issue;
   }
   const way: ThreadWay = { crest: outside.thread?.crest ?? [], stop: at(-26, 18.8), openSide: at(0, 1) };
