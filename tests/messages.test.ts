@@ -145,7 +145,14 @@ const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   contourInFile: { file: "PART.H" },
   feedMissing: {},
   spindleMissing: {},
-  spindleStopped: {},
+  spindleStopped: { how: "stopped", block: 12 },
+  holeMissing: { tool: 7, diameter: 6.8, z: -25.5 },
+  speedUnlimited: { diameter: 1.6, block: 14 },
+  speedUnlikely: { speed: 1200, most: 800, of: "material" },
+  offCentre: { y: 5.5 },
+  toolIndexUnknown: { tool: "1.1", rows: ["1", "1.2"] },
+  firstElement: { word: "CR" },
+  controlRule: { rule: "signOfAngle", word: "IPA+90 DR-" },
   parameterUnset: { name: "Q7" },
   divisionByZero: {},
   notFinite: { text: "SQRT -1" },
@@ -203,7 +210,8 @@ describe.each(LANGUAGES)("messages in %s", (language) => {
     expect(sentence).toMatch(/\S.*[.。?？]$/);
     expect(sentence).not.toMatch(/undefined|NaN|\[object|null/);
     const own = Object.entries(SAMPLES[code]).filter(([key, value]) =>
-      !["reason", "edge", "quantity", "place", "shape", "motion", "meets", "part", "by"].includes(key) && typeof value !== "boolean"
+      !["reason", "edge", "quantity", "place", "shape", "motion", "meets", "part", "by", "how", "of", "rule"].includes(key)
+      && typeof value !== "boolean"
     );
     const shown = own.map(([, value]) => (typeof value === "number" ? formatNumber(language, value, 4) : String(value)));
     for (const data of shown.filter((text) => !text.includes(","))) expect(sentence).toContain(data);

@@ -40,6 +40,9 @@ const NO_LENGTH: ReadonlySet<string | undefined> = new Set([
   undefined,
 ]);
 
+/** Whether what a field measures is a length, so that it counts in the unit of the program. */
+export const isLength = (kind: Kind | undefined): boolean => !NO_LENGTH.has(kind);
+
 const isDiameter = (kind: Kind | undefined) => kind === "diameter" || kind === "oversizeDiameter";
 
 /** Formats numbers for a language and the unit of a program; `kind` is what the field in question measures. */
@@ -50,7 +53,7 @@ export function writer(spoken: Spoken, kind?: Kind): Write {
   /** Four decimals: some limits have them, and they must not be rounded past themselves. */
   const full = (value: number) => formatNumber(language, value, 4);
   const angle = (value: number) => `${full(value)}°`;
-  const exact = NO_LENGTH.has(kind) ? full : (value: number) => size(value, 4), plain = kind === "angle" ? angle : exact;
+  const exact = !isLength(kind) ? full : (value: number) => size(value, 4), plain = kind === "angle" ? angle : exact;
   const place = (x: number, z: number) => `X⌀${size(x)} Z${signed(z)}`;
   return {
     number,

@@ -63,6 +63,9 @@ export const isBar = (t: Tool) => t.TYPE === "RECESS" || t.TYPE === "RECTURN";
 export const flanksUnknown = (t: Tool) =>
   (t.TYPE === "ROUGH" || t.TYPE === "FINISH") && (t["T-ANGLE"] === undefined || t["P-ANGLE"] === undefined);
 
+/** True for a blade that plunges along Z: its side is curved for a range of diameters, which no column states. */
+export const curvatureUnknown = (t: Tool) => isBar(t) && tipDirection(t.TO).v === 0 && tipDirection(t.TO).u !== 0;
+
 /**
  * The insert as a convex boundary of lines and arcs, relative to the theoretical tip; u is z, v is r (mm).
  * With unknown flanks it is the nose circle alone (`body`: drawn out away from the tip, so that it removes material).

@@ -179,6 +179,10 @@ interface Data {
   behindBlank: { motion: "rapid" | "feed" | "unheld"; x: number; z: number; rear: number };
   /** Tool or holder meets what the work is held by, as it is stated. */
   clampContact: { part: ClampPart; by: "tool" | "holder"; x: number; z: number };
+  /** A cut without a spindle that turns as it must; `block` stopped it or set its direction, absent where none has. */
+  spindleStopped: { how: "stopped" | "noSpeed" | "hand"; block?: number };
+  /** A tap, reamer or boring tool feeds where there is no hole of this diameter, mm. */
+  holeMissing: { tool: number; diameter: number; z: number };
   /** So many moves do damage that those behind them were not looked at. */
   contactsUnlooked: { limit: number };
   /** A cut takes more stock at once than the infeed allows, mm; `pass` is absent on a smoothing or finishing cut. */

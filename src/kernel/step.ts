@@ -1,10 +1,26 @@
 import type { Move } from "./move.ts";
 import type { Pt, Ring } from "./point.ts";
 import type { Tool } from "./tool.ts";
+import type { Length } from "./units.ts";
 
 /** Spindle set-up: constant speed in rpm, or constant cutting speed in m/min with a limit in rpm. */
 export type Spindle = { readonly kind: "constant"; readonly speed: number } | { readonly kind: "surface"; readonly cuttingSpeed: number;
   readonly limit: number };
+
+/** Why the spindle does not turn as a cut needs it: it stands, has no speed, or turns the other way round. */
+export interface Idle {
+  readonly how: "stopped" | "noSpeed" | "hand";
+  /** Number of the block that stopped it or set its direction; null where none has. */
+  readonly by: number | null;
+}
+
+/** A hole that has to be there before the tool comes, such as that of a tap. */
+export interface NeededHole {
+  /** mm; what is narrower is no hole for this tool. */
+  readonly radius: Length;
+  /** The hole that is drilled for it, mm. */
+  readonly drill: Length;
+}
 
 /**
  * One motion of a running program: a move, where it starts, with which tool, from which block. This list is what the
@@ -28,6 +44,10 @@ export interface Step {
   readonly broughtBy?: number;
   /** Of a feed move outside cycles: cut along a compensated contour, or said by the program to be meant. */
   readonly intent?: "compensated" | "meant";
+  /** Where the step feeds while the spindle surely does not turn as it must: a fault as soon as it meets material. */
+  readonly idle?: Idle;
+  /** The hole that the step feeds through. */
+  readonly hole?: NeededHole;
 }
 
 /** A blank that a program states while it runs: what stands in the chuck at a step, by its outline. */

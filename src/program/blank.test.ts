@@ -149,7 +149,7 @@ test("the blank of a program that is called counts only where its caller has non
 
 describe("FUNCTION TURNDATA BLANK", () => {
   const bar = "BLK FORM CYLINDER Z D62 L48.7 DIST+0.8";
-  const cutting = ["L X+66 Z+3 R0 FMAX", "L X+55.4 FMAX", "L Z-20.6 F0.2", "L X+66", "L Z+3 FMAX"];
+  const cutting = ["L X+66 Z+3 R0 FMAX M303", "L X+55.4 FMAX", "L Z-20.6 F0.2", "L X+66", "L Z+3 FMAX"];
   const judged = (blocks: readonly string[], ...labels: (readonly string[])[]) => {
     const r = made([bar, ...TURN, ...blocks, "M30", ...labels.flat()]);
     const simulation = simulate(r);

@@ -1,14 +1,17 @@
+import { SAME } from "../kernel/tolerance.ts";
 import { contourFrom, type Contour, type ContourElement } from "../kernel/contour.ts";
-import { at as pointAt, type Pt, type Segment } from "../kernel/point.ts";
-import type { Label, Statement, StatementOf } from "../nc/statement.ts";
+import { at as pointAt, part, type Pt, type Segment } from "../kernel/point.ts";
+import type { Label, PathKind, Statement, StatementOf, Words } from "../nc/statement.ts";
 import { assign, assignText } from "./assign.ts";
 import { isFreeElement, solveFree, type FreeBlock } from "./free-contour.ts";
 import { collectFree, sayChosen, sayUnsolved } from "./free-words.ts";
+import { breaksRule, isWholePoint } from "./control-rule.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import type { ContourSource } from "./modal.ts";
-import { coordinates, elementOf, endOf, NOWHERE, pointIn, segmentOf, type PathBlock, type Position, type WordReader } from "./path.ts";
-import { wordReader } from "./path-block.ts";
+import { coordinates, elementOf, endOf, isArcPath, NOWHERE, pointIn, segmentOf, type PathBlock, type Position,
+  type WordReader } from "./path.ts";
+import { wordOf, wordReader } from "./path-block.ts";
 import { recessOf } from "./recess-words.ts";
 import { nameOf } from "./unproved-blocks.ts";
 
@@ -29,6 +32,8 @@ interface Reader {
   readonly blocks: number[];
   at: Position;
   pole: Pt | null;
+  /** Whether the last point was named with both coordinates; null where nobody asks. */
+  isWhole: boolean | null;
   /** The element before, for a free contour that leaves it tangentially. */
   last: Segment | null;
   /** Elements of free contours, by their blocks. */
@@ -62,6 +67,7 @@ export function readContourOf(machine: Machine, { unit, label }: ContourSource, 
     blocks: [],
     at: NOWHERE,
     pole: null,
+    isWhole: null,
     last: null,
     solved: new Map(),
     isTroubled: false,
@@ -97,6 +103,7 @@ function element(reader: Reader, s: Statement, index: number): void {
     case "free":
       return free(reader, s, index);
     case "chamfer":
+      first(reader, "CHF", s.words, index);
       return corner(reader, "chamfer", s.length === null ? null : reader.machine.number(s.length, index), index);
     case "assign":
       return assign(reader.machine, s, index);
@@ -149,21 +156,30 @@ const wordsOf = (reader: Reader, index: number): WordReader => ({
     if (!reader.isTroubled) reader.machine.log.say(programIssue(code, "error", {}), index);
     reader.isTroubled = true;
   },
+  rule: (rule, word) => {
+    breaksRule(reader.machine, rule, word, index);
+    reader.isTroubled = true;
+  },
 });
 
 function path(reader: Reader, { path: kind, words }: Extract<Statement, { kind: "path" }>, index: number): void {
   const { machine, plane, at, pole } = reader;
   const read = wordsOf(reader, index);
+  if (kind !== "CC") first(reader, kind, words, index);
   if (kind === "RND") return corner(reader, "round", words.radius === undefined ? null : machine.number(words.radius, index), index);
   if (kind === "CC") {
+    if (words.axes.length === 0 && reader.isWhole === false) read.rule("emptyCentre", "CC");
     reader.pole = pointIn(plane, coordinates(read, words.axes, at));
     return;
   }
   const block: PathBlock = { path: kind, words };
+  reader.isWhole = isWholePoint(kind, words, true) ?? reader.isWhole;
   reader.at = endOf(read, block, { plane, at, pole }) ?? at;
   const to = pointIn(plane, reader.at);
   const from = pointIn(plane, at);
   reader.last = from && to && segmentOf({ ...read, fault: () => undefined }, block, { from, to, pole, before: reader.last });
+  const before = from && to && part.apart(from, to) <= SAME ? reader.elements.at(-1) : undefined;
+  if (before?.kind === "round" || before?.kind === "chamfer") read.rule("zeroBehindCorner", wordOf(before));
   if (to) push(reader, elementOf(read, block, to, pole) ?? { kind: "line", to }, index);
   else incomplete(reader, index);
 }
@@ -178,6 +194,8 @@ const scaled = (s: Segment, unit: number): Segment => {
 function free(reader: Reader, s: StatementOf<"free">, index: number): void {
   if (!isFreeElement(s)) return;
   const { machine, plane, at } = reader;
+  if (reader.elements.length === 0 && !reader.isTroubled && s.form !== "FL") notFirst(reader, s.form, index);
+  reader.isWhole = null;
   if (!reader.solved.has(index)) {
     const { run, indices } = collectFree(machine, index);
     const from = pointIn(plane, at);
@@ -197,6 +215,20 @@ function free(reader: Reader, s: StatementOf<"free">, index: number): void {
   }
   reader.isTroubled = true;
   sayUnsolved(machine, s, index);
+}
+
+/** A contour begins with a point: what a block counts from a point before it can not be its first. */
+function first(reader: Reader, kind: PathKind | "CHF", { axes, polarRadius, polarAngle }: Words, index: number): void {
+  if (reader.elements.length > 0 || reader.isTroubled) return;
+  const word = axes.find((w) => w.incremental);
+  if (kind === "CHF" || kind === "RND" || isArcPath(kind)) notFirst(reader, kind, index);
+  else if (word) notFirst(reader, `I${word.axis}`, index);
+  else if (polarRadius?.incremental || polarAngle?.incremental) notFirst(reader, polarAngle?.incremental ? "IPA" : "IPR", index);
+}
+
+function notFirst(reader: Reader, word: string, index: number): void {
+  reader.machine.log.say(programIssue("firstElement", "error", { word }), index);
+  reader.isTroubled = true;
 }
 
 /** The first block of a contour names both coordinates: a control knows no point before it. */

@@ -14,6 +14,7 @@ import type { UnknownReason } from "./known-values.ts";
 import type { Machine } from "./machine.ts";
 import type { Defined } from "./modal.ts";
 import { pointIn } from "./path.ts";
+import { offCentre } from "./off-centre.ts";
 import { foreignParameters, lineOfParameter, noTool } from "./preconditions.ts";
 import { perform } from "./perform.ts";
 import type { TextLine } from "./run-types.ts";
@@ -150,13 +151,13 @@ export function callCycle(machine: Machine, index: number): void {
   preconditions(machine, index);
   const start = startOf(machine, index);
   if (!start) return;
-  if (!machine.now.spindle) machine.log.sayOnce(programIssue("spindleMissing", "warning", {}), index);
-  else mustTurn(machine, index);
   if (!machine.roomForOperation(index)) return;
   const operation = machine.log.operations.length;
   const { places, contour, told } = cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : OWN_CONTOUR;
   const tool = machine.now.tool ?? standIn(machine, cycle, defined.values, contour, start, index);
   if (!tool) return;
+  mustTurn(machine, tool, index, operation);
+  offCentre(machine, index);
   const standing = { stock: stockAtCall(machine), solid: solidAtCall(machine) };
   const answer = answerTo(machine, { cycle, defined, contour, told, start, tool, ...standing });
   const contourLines = contour && { contourLines: places.map(({ block }) => lineAt(machine, block)) };
@@ -226,6 +227,8 @@ export function cycleDefinition(machine: Machine, index: number): void {
   const bores = machine.now.turning && isDrilling(s.cycle);
   if (!cycle && !bores && !isSilent(s.cycle))
     machine.log.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
+  // It may turn the tool round.
+  if (cycle?.acts) machine.set({ ways: new Map() });
   if (cycle?.acts) act(machine, cycle, s, index);
   if (actsAtOnce(s.cycle)) return actingCycle(machine, s.cycle, s.parameters, index);
   const { values, troubled } = readParameters(machine, s.parameters, index);

@@ -1,3 +1,8 @@
+import { holeOf } from "../kernel/drill.ts";
+import type { NeededHole } from "../kernel/step.ts";
+import type { Tool } from "../kernel/tool.ts";
+import { length } from "../kernel/units.ts";
+
 /**
  * What the drilling cycles do on their way down and back, mm. The lists of parameters and the order of the moves are
  * recalled from the control (decision "Drilling on the axis"), not read on a printed page.
@@ -29,8 +34,10 @@ export interface Bore {
 export const DRILL_WORDS: ReadonlyMap<number, readonly string[]> = new Map([
   [200, ["Q200", "Q201", "Q206", "Q202", "Q203"]],
   [201, ["Q200", "Q201", "Q206", "Q203"]],
+  [202, ["Q200", "Q201", "Q206", "Q203"]],
   [203, ["Q200", "Q201", "Q206", "Q202", "Q203"]],
   [205, ["Q200", "Q201", "Q206", "Q202", "Q203"]],
+  [206, ["Q200", "Q201", "Q206", "Q203"]],
   [207, ["Q200", "Q201", "Q239", "Q203"]],
   [209, ["Q200", "Q201", "Q239", "Q203", "Q257"]],
   [240, ["Q200", "Q206", "Q203"]],
@@ -63,9 +70,31 @@ export function drillPath(cycle: number, q: Q, bore: Bore): DrillMove[] | null {
   return [{ to: bore.clear, feed: null }, ...made, ...(bore.away > bore.clear ? [{ to: bore.away, feed: null }] : [])];
 }
 
+function downAndBack(q: Q, { bottom, clear }: Bore): DrillMove[] {
+  return [{ to: bottom, feed: DOWN, dwell: q("Q211") }, { to: clear, feed: BACK }];
+}
+
+/** Cycles that widen a hole, and what they take of it at most, as a share of the tool's radius and in mm: a reamer takes little. */
+const WIDENS: ReadonlyMap<number, { readonly share: number; readonly most: number }> = new Map([[201, { share: 0.5, most: 0.5 }], [202, {
+  share: 0.5,
+  most: Infinity,
+}]]);
+
+/** The hole that a cycle needs before it runs; null where it makes one. */
+export function holeBefore(cycle: number, tool: Tool, q: Q): NeededHole | null {
+  if (q("Q239") !== 0) return holeOf(tool, Math.abs(q("Q239")));
+  const widened = WIDENS.get(cycle);
+  const r = tool.R ?? 0;
+  if (!widened) return null;
+  const radius = length(Math.max(r * (1 - widened.share), r - widened.most));
+  return { radius, drill: radius };
+}
+
 const MOVES: Readonly<Record<number, (q: Q, bore: Bore) => DrillMove[] | null>> = {
   200: (q, bore) => pecking(q, bore, { infeeds: [q("Q202"), 0, 0], back: null, rest: q("Q210"), ahead: () => q("Q200") }),
-  201: (q, { bottom, clear }) => [{ to: bottom, feed: DOWN, dwell: q("Q211") }, { to: clear, feed: BACK }],
+  201: downAndBack,
+  // The step off the wall at the bottom (Q214, Q336) is within the bore.
+  202: downAndBack,
   203: (q, bore) =>
     pecking(q, bore, {
       infeeds: [q("Q202"), q("Q212"), q("Q205")],
@@ -75,6 +104,7 @@ const MOVES: Readonly<Record<number, (q: Q, bore: Bore) => DrillMove[] | null>> 
       breaks: { count: q("Q213"), by: q("Q256") },
     }),
   205: deep,
+  206: (q, { bottom, clear }) => [{ to: bottom, feed: DOWN, dwell: q("Q211") }, { to: clear, feed: DOWN }],
   207: (q, { bottom, clear }) => {
     const feed = { pitch: Math.abs(q("Q239")) };
     return feed.pitch > 0 ? [{ to: bottom, feed }, { to: clear, feed }] : null;

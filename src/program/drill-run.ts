@@ -1,16 +1,19 @@
 import { depthAtRadius, isDrill, pointLength } from "../kernel/drill.ts";
 import type { Move } from "../kernel/move.ts";
 import { at as pointAt, type Pt } from "../kernel/point.ts";
+import type { NeededHole } from "../kernel/step.ts";
 import { speedAt } from "../kernel/time.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import { feed as feedNumber, perSide, toDiameter, diameter, type Feed } from "../kernel/units.ts";
 import { isUnlikely } from "./block-feed.ts";
-import { drillPath, DRILL_WORDS, type Bore, type DrillFeed, type DrillMove, type Q } from "./drill-path.ts";
+import { drillPath, DRILL_WORDS, holeBefore, type Bore, type DrillFeed, type DrillMove, type Q } from "./drill-path.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import type { Defined } from "./modal.ts";
+import { offCentre } from "./off-centre.ts";
 import { lineOfParameter } from "./preconditions.ts";
+import { mustTurn } from "./spindle-start.ts";
 
 /** How far from the axis a drill may stand and still be on it, mm. */
 const ON_AXIS = 0.001;
@@ -55,7 +58,9 @@ export function drillOnAxis(machine: Machine, defined: Defined, index: number): 
   const path = bore && drillPath(defined.cycle, q, bore);
   if (!bore || !path) return false;
   judge(machine, { defined, tool, bore, q }, index);
-  perform(machine, { defined, path }, tip, index);
+  mustTurn(machine, tool, index);
+  offCentre(machine, index);
+  perform(machine, { defined, path, hole: holeBefore(defined.cycle, tool, q) }, tip, index);
   return true;
 }
 
@@ -125,16 +130,15 @@ function moveOf(machine: Machine, defined: Defined, { to, feed }: DrillMove, fro
 
 function perform(
   machine: Machine,
-  { defined, path }: { readonly defined: Defined; readonly path: readonly DrillMove[] },
+  { defined, path, hole }: { readonly defined: Defined; readonly path: readonly DrillMove[]; readonly hole: NeededHole | null },
   start: Pt,
   index: number,
 ): void {
   let from = start;
   const { spindle } = machine;
-  if (!spindle) machine.log.sayOnce(programIssue("spindleMissing", "warning", {}), index);
   for (const each of path) {
     const move = moveOf(machine, defined, each, from);
-    if (Math.abs(each.to - from.z) > SAME) machine.step(from, move, index);
+    if (Math.abs(each.to - from.z) > SAME) machine.step(from, move, index, { hole });
     from = move.to;
     const turns = spindle && each.dwell ? (each.dwell / 60) * speedAt(spindle, from.r) : 0;
     if (turns > 0 && Number.isFinite(turns)) {

@@ -1,6 +1,9 @@
 import type { Severity } from "../kernel/issue.ts";
 import type { FeedUnit } from "../kernel/move.ts";
 
+/** Rules that a control holds a program to, each by what breaks it. */
+export type ControlRule = "signOfAngle" | "zeroBehindCorner" | "emptyCentre" | "sideOnArc" | "toolCallCompensated";
+
 /** What can be wrong when a program runs, beside its text (`nc`) and its cycles (`kernel`): code and data, no sentences. */
 interface Data {
   /** The block is understood by the reader and left out by the simulation. */
@@ -46,8 +49,18 @@ interface Data {
   contoursJoined: { cycle: number; joined: string };
   feedMissing: {};
   spindleMissing: {};
-  /** A cycle is called with a spindle speed and nothing that starts the spindle. */
-  spindleStopped: {};
+  /** Constant surface speed without SMAX on a path that comes near the axis: to this diameter, mm, in this block. */
+  speedUnlimited: { diameter: number; block: number };
+  /** More than the material allows, m/min, or than the machine can, rpm. */
+  speedUnlikely: { speed: number; most: number; of: "material" | "machine" };
+  /** The tool turns beside the centre by so many mm in Y. */
+  offCentre: { y: number };
+  /** TOOL CALL with an index that the table does not have; `rows` are those of the same tool. */
+  toolIndexUnknown: { tool: string; rows: readonly string[] };
+  /** A contour begins with a block that counts from a point before it. */
+  firstElement: { word: string };
+  /** A printed rule of the control; `word` is what breaks it. */
+  controlRule: { rule: ControlRule; word: string };
   parameterUnset: { name: string };
   divisionByZero: {};
   notFinite: { text: string };

@@ -1,4 +1,6 @@
-import { axial } from "../kernel/units.ts";
+import { boxAround } from "../kernel/box.ts";
+import { SAME } from "../kernel/tolerance.ts";
+import { axial, radius } from "../kernel/units.ts";
 import type { Words } from "../nc/statement.ts";
 import { functionFeed, takeFeed } from "./block-feed.ts";
 import type { Machine } from "./machine.ts";
@@ -15,13 +17,41 @@ const BEYOND_BLANK = 20;
 export const isElsewhere = (words: Words): boolean => words.functions.some((m) => MACHINE_COORDINATES.has(m));
 export const retracts = (words: Words): boolean => words.functions.includes(RETRACT);
 
-/** A block in machine coordinates: the axes that it names are not known behind it. The way there, from a known place, is not proved. */
+/** M91 counts from the machine's zero; M92 from a place that its maker has set. */
+const isMachineZero = (words: Words): boolean => words.functions.includes(91);
+/** A machine coordinate this near to 0 is the end of the travel or just in front of it, mm. */
+const HOME = 10;
+
+/**
+ * Whether a block takes a turning tool home at rapid, away from the work. One axis alone runs straight, until it is beside the blank and
+ * nothing stands in its way any more; how several axes share the way nobody knows, so that the tool has to stand beside the blank already.
+ */
+function goesHome(machine: Machine, words: Words, index: number): boolean {
+  const { blank, tool } = machine.now;
+  const from = machine.tip;
+  const isAtHome = words.axes.every(({ value, incremental }) => {
+    const n = incremental ? null : machine.number(value, index);
+    return n !== null && Math.abs(machine.length(n)) <= HOME;
+  });
+  if (words.feed !== "max" || !isAtHome || !from || !tool || blank.length === 0) return false;
+  const { right, high } = boxAround(blank);
+  const [only] = words.axes;
+  if (words.axes.length > 1 || (only?.axis !== "X" && only?.axis !== "Z")) return from.z > right || Math.abs(from.r) > high;
+  const to = only.axis === "Z"
+    ? { z: axial(Math.max(from.z, right + BEYOND_BLANK)), r: from.r }
+    : { z: from.z, r: radius(Math.max(from.r, high + BEYOND_BLANK)) };
+  if (part.lengthOf(part.line(from, to)) > SAME) machine.step(from, moveOf(machine, part.line(from, to), null), index);
+  return true;
+}
+
+/** A block in machine coordinates: the axes that it names are not known behind it. The way there, from a known place, is not proved, but for the way home. */
 export function elsewhere(machine: Machine, words: Words, index: number): void {
   const { mill } = machine.place;
   const wasKnown = machine.now.turning
     ? machine.tip !== null && machine.place.sure.x && machine.place.sure.z
     : mill.z !== null && centreOf(mill) !== null;
   takeFeed(machine, words.feed, index);
+  const isHome = wasKnown && machine.now.turning && isMachineZero(words) && goesHome(machine, words, index);
   for (const { axis } of words.axes) {
     if (axis !== "X" && axis !== "Y" && axis !== "Z") continue;
     const unknown = { [axis.toLowerCase()]: null };
@@ -31,7 +61,8 @@ export function elsewhere(machine: Machine, words: Words, index: number): void {
   machine.setPlace({ sure: { x: sure.x && at.x !== null, z: sure.z && at.z !== null }, last: null, milled: null });
   machine.millGuide.here = centreOf(machine.place.mill);
   const what = words.functions.filter((m) => MACHINE_COORDINATES.has(m)).map((m) => `M${m}`).join(" ");
-  if (wasKnown) machine.log.leaveUnproved(what, index);
+  if (isHome) machine.setPlace({ home: { index, what } });
+  else if (wasKnown) machine.log.leaveUnproved(what, index);
   else machine.log.notSimulated(what, index);
 }
 

@@ -1,6 +1,7 @@
 import type { FeedUnit, Move } from "../kernel/move.ts";
+import { holeOf } from "../kernel/drill.ts";
 import type { Pt } from "../kernel/point.ts";
-import type { Spindle } from "../kernel/step.ts";
+import type { NeededHole, Spindle } from "../kernel/step.ts";
 import { INCH, type Feed } from "../kernel/units.ts";
 import type { Block, Program } from "../nc/program.ts";
 import type { FileName, Label, Statement, StatementOf, Value } from "../nc/statement.ts";
@@ -19,6 +20,8 @@ import type { Guide } from "./plane-chain.ts";
 import { fileKey } from "./program-files.ts";
 import type { RunMoment } from "./run-moment.ts";
 import type { Shop } from "./shop.ts";
+import { speedFaults } from "./speed-limits.ts";
+import { idleSpindle } from "./spindle-state.ts";
 import { stepOf, timed, type TimedSteps } from "./step-of.ts";
 import type { TracedBlank } from "./tracing.ts";
 import { isSkipped, unitFrom, type Unit } from "./units.ts";
@@ -263,12 +266,30 @@ export class Machine {
     this.setPlace({ brought: null });
   }
 
-  /** Adds one motion of the current tool outside cycles. */
-  step(from: Pt, move: Move, index: number, isCompensated = false): void {
+  /** Adds one motion of the current tool outside the operations; `hole` is one that has to be there for it. */
+  step(
+    from: Pt,
+    move: Move,
+    index: number,
+    { isCompensated = false, hole = null }: { isCompensated?: boolean; hole?: NeededHole | null } = {},
+  ): void {
     const { tool } = this.now;
     if (!this.roomForMove(index) || !tool) return;
-    const intent = move.kind === "rapid" ? {} : this.intentOf(this.blocks, index, isCompensated);
-    const motion = { from, move, tool, block: this.log.numbers[index] ?? 0, operation: null, ...intent, ...this.log.lineOf(index) };
+    const feeds = move.kind !== "rapid";
+    const intent = feeds ? this.intentOf(this.blocks, index, isCompensated) : {};
+    const idle = feeds && !this.now.spun.told ? idleSpindle(this.now, this.log, tool) : null;
+    const needed = feeds ? (hole ?? holeOf(tool)) : null;
+    const motion = {
+      from,
+      move,
+      tool,
+      block: this.log.numbers[index] ?? 0,
+      operation: null,
+      ...intent,
+      ...this.log.lineOf(index),
+      ...(idle && { idle }),
+      ...(needed && { hole: needed }),
+    };
     this.take(timed([stepOf(motion, this.spindle, this.clock.rapid)]), index);
   }
 
@@ -284,7 +305,12 @@ export class Machine {
       this.log.takes("spindle", runUp.seconds);
       this.set({ runsAs: runUp.runsAs });
     }
-    const { brought } = this.place;
+    for (const fault of speedFaults(this.now, steps, this.shop.machine?.spindle?.most)) this.log.say(fault, this.now.spunBy ?? index);
+    const { brought, home } = this.place;
+    if (home && steps.some(({ move }) => move.kind !== "rapid")) {
+      this.log.leaveUnproved(home.what, home.index);
+      this.setPlace({ home: null });
+    }
     const block = this.log.inProgram(index);
     for (const step of steps) {
       this.log.steps.push(step === first && brought !== null ? { ...first, broughtBy: this.log.numbers[brought] ?? 0 } : step);

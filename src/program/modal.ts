@@ -81,6 +81,10 @@ export interface Whereabouts {
   readonly sure: { readonly x: boolean; readonly z: boolean };
   /** The block that brought the tool here at rapid, from where nobody knows; null once the tool has moved on. */
   readonly brought: number | null;
+  /** The block that took the tool home in machine coordinates, until the tool is changed: a cut from there is not proved. */
+  readonly home: { readonly index: number; readonly what: string } | null;
+  /** Whether the last point was programmed with both coordinates of its plane; null where nobody asks. */
+  readonly isWhole: boolean | null;
   /** Why a coordinate is not known any more, when a block that was not run or a fault that was told is the reason. */
   readonly lost: UnknownReason | null;
   /** An element that waits for the corner behind it. */
@@ -120,12 +124,22 @@ export interface Modal {
   readonly judged: string;
   readonly perRevolution: boolean;
   readonly spindle: Spindle | null;
+  /** The block that says so. */
+  readonly spunBy: number | null;
   /** An M function has started it, or may have. */
   readonly turns: boolean;
   /** It turns the other way round: M4 and its like. */
   readonly backwards: boolean;
   /** How it turned at the last motion since it was started. */
   readonly runsAs: SpindleTurns | null;
+  /** The block that started or stopped it last, null before any; how much was left unproved then; and whether a cut has been blamed since. */
+  readonly spun: { readonly index: number | null; readonly unproved: number; readonly told: boolean };
+  /** A speed that is none of turning: of TOOL CALL, which counts for a drill in the tool spindle, or one whose fault has been told. */
+  readonly speedElsewhere: "toolCall" | "told" | null;
+  /** Which way round the spindle turned when a tool cut in a cycle first, by its number: an edge cuts one way only. */
+  readonly ways: ReadonlyMap<number, boolean>;
+  /** Where a Y word of turning has put the tool, mm from the centre; null before any. */
+  readonly besideCentre: number | null;
   readonly tool: Tool | null;
   /** What the tool is called that was changed in last; null before one was. */
   readonly changedTo: string | null;
@@ -172,9 +186,14 @@ export const AT_START: Modal = {
   judged: "",
   perRevolution: false,
   spindle: null,
+  spunBy: null,
   turns: false,
   backwards: false,
   runsAs: null,
+  spun: { index: null, unproved: 0, told: false },
+  speedElsewhere: null,
+  ways: new Map(),
+  besideCentre: null,
   tool: null,
   changedTo: null,
   toolRefused: false,
@@ -198,6 +217,8 @@ export const NOT_PLACED: Whereabouts = {
   at: NOWHERE,
   sure: { x: false, z: false },
   brought: null,
+  home: null,
+  isWhole: null,
   lost: null,
   held: null,
   last: null,

@@ -185,7 +185,7 @@ describe("what the control refuses", () => {
     ["a tool too large for an inside radius", "APPR LT X+0 Y+0 LEN10 RR F100\nL Y+50\nRND R4\nL X+50\nL X+90 Y-90 R0", [
       "toolRadiusTooLarge",
     ]],
-    ["an approach without a contour", "APPR LT X+0 Y+0 LEN10 RL F100\nTOOL CALL 1 Z", ["approachWithoutContour"]],
+    ["an approach without a contour", "APPR LT X+0 Y+0 LEN10 RL F100\nL X+50 R0", ["approachWithoutContour"]],
   ])("%s", (_, lines, codes) => expect(said(lines)).toEqual(codes));
   test("the same with R0 between is free", () =>
     expect(said("APPR LT X+0 Y+0 LEN10 RL F100\nL Y+50\nDEP LT LEN20\nL X+80 Y+80 R0\nL X+60 Y+60 RR\nL Y+20\nL X+90 R0")).toEqual([]));

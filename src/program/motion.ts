@@ -1,6 +1,7 @@
 import { issue } from "../kernel/issue.ts";
 import type { CornerElement } from "../kernel/corner.ts";
 import type { StatementOf, Value, Words } from "../nc/statement.ts";
+import { isWholePoint, sideBegins } from "./control-rule.ts";
 import type { Machine } from "./machine.ts";
 import { elsewhere, isElsewhere } from "./machine-moves.ts";
 import { cornerGrowth } from "./mill-frame.ts";
@@ -26,11 +27,14 @@ function isAside(machine: Machine, what: string, index: number): boolean {
 /** L, C, CR, CT, CC, RND and the polar forms. */
 export function path(machine: Machine, s: StatementOf<"path">, index: number): void {
   const { path: kind, words } = s;
+  if (kind !== "CC" && kind !== "RND") sideBegins(machine, kind, words, index);
   if (words.compensation !== undefined) machine.set({ compensation: words.compensation });
   if (isElsewhere(words)) return elsewhere(machine, words, index);
   if (isAside(machine, kind, index)) return;
   if (kind === "RND") return corner(machine, "round", words.radius ?? null, words, index);
   if (kind === "CC") return pole(machine, words, index);
+  const isWhole = isWholePoint(kind, words, machine.now.turning);
+  if (isWhole !== null) machine.setPlace({ isWhole });
   const block = { path: kind, words };
   if (!machine.now.turning) return millPath(machine, block, index);
   if (isGuided(machine, words)) return guidedPath(machine, block, index);
@@ -44,6 +48,7 @@ export function chamfer(machine: Machine, s: StatementOf<"chamfer">, index: numb
 
 /** APPR and DEP. */
 export function runApproach(machine: Machine, s: StatementOf<"approach">, index: number): void {
+  machine.setPlace({ isWhole: null });
   if (machine.now.turning) return turnApproach(machine, s, index);
   if (!isAside(machine, s.form, index)) millApproach(machine, s, index);
 }

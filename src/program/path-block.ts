@@ -9,6 +9,8 @@ import { roundedDown, type Feed as FeedNumber } from "../kernel/units.ts";
 import type { FeedWord, PolarWord, Words } from "../nc/statement.ts";
 import { blockFeed, takeFeed } from "./block-feed.ts";
 import { datumShiftOf } from "./datum.ts";
+import { breaksRule } from "./control-rule.ts";
+import { namedAside, offCentre } from "./off-centre.ts";
 import { frameOf } from "./transform-blocks.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
@@ -41,6 +43,7 @@ function run(machine: Machine, s: Segment, feed: FeedNumber | null, index: numbe
 function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index: number): void {
   const { held } = machine.place;
   const { corner } = held ?? {};
+  if (corner && part.lengthOf(segment) <= SAME) return breaksRule(machine, "zeroBehindCorner", wordOf(corner.element), index);
   if (!held || !corner) {
     runHeldElement(machine);
     machine.setPlace({ held: { segment, feed, index, corner: null, element: (held?.element ?? 0) + 1 } });
@@ -88,12 +91,13 @@ export const wordReader = (machine: Machine, index: number): WordReader => ({
     return by;
   },
   frame: frameOf(machine.now),
-  aside: (w) => machine.log.leaveUnproved(`${w.incremental ? "I" : ""}${w.axis}`, index),
+  aside: (w, n) => namedAside(machine, w, n, index),
   lose: () => void (machine.setPlace({ lost: machine.known.trouble })),
   fault: (code) => {
     if (code === "arcImpossible" || machine.place.lost === null)
       machine.log.say(programIssue(code, code === "startUnknown" ? "warning" : "error", {}), index);
   },
+  rule: (rule, word) => breaksRule(machine, rule, word, index),
 });
 
 /** What a block counts from in a plane of the mill or of the lathe. */
@@ -103,9 +107,13 @@ export const standing = ({ now: { pole }, place: { at, mill } }: Machine, plane:
   pole: pole && pointIn(plane, pole.at),
 });
 
+/** A corner element as the program spells it. */
+export const wordOf = ({ kind }: CornerElement): string => (kind === "round" ? "RND" : "CHF");
+
 /** The pole: CC with coordinates; those it leaves out are where the tool was programmed to. */
 export function pole(machine: Machine, { axes }: Words, index: number): void {
   const from = machine.now.turning ? machine.place.at : machine.place.mill;
+  if (axes.length === 0 && machine.place.isWhole === false) breaksRule(machine, "emptyCentre", "CC", index);
   machine.set({ pole: { at: coordinates(wordReader(machine, index), axes, from), plane: planeOfAxes(axes) } });
 }
 
@@ -151,5 +159,6 @@ export function pathBlock(machine: Machine, block: PathBlock, index: number): vo
     if (feed !== null && machine.now.tool && lost === null) cutFromNowhere(machine, to, index);
     return;
   }
+  if (feed !== null) offCentre(machine, index);
   hold(machine, elementBetween(machine, block, from, to, index), feed, index);
 }

@@ -3,6 +3,7 @@ import type { Issue } from "../kernel/issue.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
 import { axial, diameter, inDegrees, radians, radius, toDiameter, toRadius } from "../kernel/units.ts";
 import type { AxisName, AxisWord, PathKind, PolarWord, Value, Words } from "../nc/statement.ts";
+import type { ControlRule } from "./issue.ts";
 import { toProgram, toWorkpiece, type CoordinateFrame } from "./coordinates-frame.ts";
 
 /** A place as a program names it, mm; null where nobody knows. X is a diameter while turning. */
@@ -66,11 +67,13 @@ export interface WordReader {
   readonly shift: (axis: AxisName) => number | "unknown" | null;
   /** The frame of coordinates that are mirrored, turned or scaled; null where they are at most shifted. */
   readonly frame: CoordinateFrame | null;
-  /** An axis that no path runs along is moved. */
-  readonly aside: (word: AxisWord) => void;
+  /** An axis that no path runs along is named. */
+  readonly aside: (word: AxisWord, n: number) => void;
   /** A coordinate has no number, for a reason that has been told. */
   readonly lose: () => void;
   readonly fault: (code: PathFault) => void;
+  /** A printed rule of the control is broken, by these words. */
+  readonly rule: (rule: ControlRule, word: string) => void;
 }
 
 /** Reads typed words, lengths in a unit of so many mm; who typed them is told elsewhere what is wrong. A missing number is NaN. */
@@ -82,6 +85,7 @@ export const plainReader = (unit: number): WordReader => ({
   aside: () => undefined,
   lose: () => undefined,
   fault: () => undefined,
+  rule: () => undefined,
 });
 
 /** A block that moves on a path. */
@@ -125,7 +129,7 @@ function counted(read: WordReader, words: readonly AxisWord[], at: Position, shi
     const n = read.number(w.value);
     const shift = shiftOf(w.axis);
     if (shift === null) {
-      if (n !== null && n !== 0) read.aside(w);
+      if (n !== null) read.aside(w, n);
       continue;
     }
     const key = w.axis.toLowerCase() as keyof Position;
@@ -187,6 +191,17 @@ export function endOf(read: WordReader, { path, words }: PathBlock, { plane, at,
   return nowhere;
 }
 
+/** The arcs of a path. */
+const ARCS: ReadonlySet<PathKind> = new Set(["C", "CR", "CT", "CP", "CTP"]);
+export const isArcPath = (path: PathKind): boolean => ARCS.has(path);
+
+/** An incremental angle turns the way that DR says. */
+function signs(read: WordReader, { polarAngle, turn }: Words): void {
+  const n = polarAngle?.incremental && turn ? read.number(polarAngle.value) : null;
+  if (n !== null && n !== 0 && (n > 0) !== (turn === "ccw"))
+    read.rule("signOfAngle", `IPA${n > 0 ? "+" : ""}${n} DR${turn === "ccw" ? "+" : "-"}`);
+}
+
 /** The element that a block describes, ending in a point; null where its pole or its radius is missing, which has been told. */
 export function elementOf(read: WordReader, { path, words }: PathBlock, to: Pt, pole: Pt | null): PathElement | null {
   const turn = words.turn ?? "ccw";
@@ -203,6 +218,7 @@ export function elementOf(read: WordReader, { path, words }: PathBlock, to: Pt, 
     }
     case "C":
     case "CP":
+      signs(read, words);
       if (!pole) read.fault("poleMissing");
       return pole && { kind: "centre", to, centre: pole, turn };
   }

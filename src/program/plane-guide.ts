@@ -8,6 +8,8 @@ import { blockFeed } from "./block-feed.ts";
 import type { Carrier } from "./carrier.ts";
 import type { ApproachCall, ChainItem, Guide, Travel } from "./plane-chain.ts";
 import { pointIn } from "./path.ts";
+import { breaksRule } from "./control-rule.ts";
+import { wordOf } from "./path-block.ts";
 import { finishChain } from "./plane-finish.ts";
 
 const { apart, lengthOf } = plane;
@@ -56,7 +58,7 @@ function advance(guide: Guide, carrier: CarrierFor): void {
 
 const NO_LIFTS: readonly Travel[] = [];
 
-function append(guide: Guide, step: PathStep, programmed: PlaneSegment): void {
+function append(machine: Machine, guide: Guide, step: PathStep, programmed: PlaneSegment): void {
   const { chain } = guide;
   if (!chain) return;
   const last = chain.items.at(-1);
@@ -66,6 +68,7 @@ function append(guide: Guide, step: PathStep, programmed: PlaneSegment): void {
     chain.items.push({ fromZ, toZ, feed, index, segment, lifts: NO_LIFTS });
     return;
   }
+  if (last?.corner && fromZ === toZ) breaksRule(machine, "zeroBehindCorner", wordOf(last.corner.element), index);
   const travel: Travel = { fromZ, toZ, feed, index };
   if (last) chain.items[chain.items.length - 1] = { ...last, lifts: [...last.lifts, travel] };
   else chain.lifts = [...chain.lifts, travel];
@@ -78,15 +81,15 @@ export function followPath(guide: Guide, carrier: CarrierFor, requested: Side, s
   if (now !== "none" && requested !== "none" && now !== requested) machine.log.say(programIssue("sideChanged", "error", {}), step.index);
   if (guide.chain && now !== requested) {
     close(guide, carrier);
-    if (requested === "none") return uncompensated(guide, step, guide.here);
+    if (requested === "none") return uncompensated(machine, guide, step, guide.here);
   }
   if (requested === "none") {
-    uncompensated(guide, step, null);
+    uncompensated(machine, guide, step, null);
     return advance(guide, carrier);
   }
   if (guide.chain) {
     if (guide.chain.items.length >= LONGEST) return machine.stop(programIssue("contourTooLong", "error", { limit: LONGEST }), step.index);
-    append(guide, step, step.segment ?? { kind: "line", from: step.to, to: step.to });
+    append(machine, guide, step, step.segment ?? { kind: "line", from: step.to, to: step.to });
     return;
   }
   const arc = step.segment?.kind === "arc" ? step.segment : null;
@@ -96,13 +99,13 @@ export function followPath(guide: Guide, carrier: CarrierFor, requested: Side, s
     lifts: [],
     items: [],
   };
-  if (arc) append(guide, step, arc);
+  if (arc) append(machine, guide, step, arc);
 }
 
 /** R0: as programmed. After RL or RR the tool leaves from where it really stands. */
-function uncompensated(guide: Guide, step: PathStep, standing: PlanePoint | null): void {
+function uncompensated(machine: Machine, guide: Guide, step: PathStep, standing: PlanePoint | null): void {
   guide.chain ??= { side: "none", start: { kind: "here" }, lifts: [], items: [] };
-  append(guide, step,
+  append(machine, guide, step,
     standing ? { kind: "line", from: standing, to: step.to } : (step.segment ?? { kind: "line", from: step.to, to: step.to }));
 }
 

@@ -55,7 +55,7 @@ describe("a cycle call", () => {
     ["FUNCTION MODE MILL", CALLED, ["error notInTurnMode@9"], { mode: "FUNCTION MODE MILL" }],
     ["RR on the way to the start point", CALLED.replace(TO_START, "L X+80 Z+5 RR F0.2\nL X+75 Z+2"), ["error compensationActive@10"]],
     ["RL in the block of M99", CALLED.replace(`${TO_START}\nCYCL CALL`, "L X+75 Z+2 RL F0.2 M99"), ["error compensationActive@8"]],
-    ["RL from an arc", CALLED.replace(TO_START, "CR X+75 Z+2 R+200 DR+ RL F0.2"), ["error compensationActive@9"]],
+    ["RL from an arc", CALLED.replace(TO_START, "CR X+75 Z+2 R+200 DR+ RL F0.2"), ["error controlRule@8", "error compensationActive@9"]],
     ["R0 again before it", CALLED.replace(TO_START, "L X+80 Z+5 RR F0.2\nL X+75 Z+2 R0"), []],
     ["defined and not called", CALLED.replace("CYCL CALL\n", ""), ["warning cycleNeverCalled@7"]],
     ["defined again before its call", CALLED.replace(TO_START, `${SHOULDER}\n${TO_START}`), ["warning cycleNeverCalled@7"]],

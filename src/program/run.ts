@@ -161,13 +161,13 @@ function block(machine: Machine, s: Statement, index: number): void {
     finish(machine);
     callCycle(machine, index);
   }
-  stoppedBy(machine, words);
+  stoppedBy(machine, words, index);
   machine.set({ callsBehindMoves: !once && (on || machine.now.callsBehindMoves) });
 }
 
 function functions(machine: Machine, words: Words, index: number): void {
   for (const m of words.functions) if (FEED_UNITS.includes(m)) machine.set({ perRevolution: m === 136 });
-  startedBy(machine, words);
+  startedBy(machine, words, index);
   if (words.extra.length > 0) machine.log.leaveUnproved(words.extra.join(" ").slice(0, 40), index);
   if (retracts(words)) retract(machine, words, index);
 }
@@ -182,7 +182,7 @@ function mode(machine: Machine, wanted: "TURN" | "MILL", index: number): void {
   machine.setPlace({ last: null });
   if (machine.now.turning === (wanted === "TURN")) return;
   machine.endBrought();
-  machine.set({ turning: wanted === "TURN", pole: null });
+  machine.set({ turning: wanted === "TURN", pole: null, besideCentre: null });
   machine.setPlace({ sure: { x: false, z: false }, brought: null, mill: NOWHERE });
   machine.millGuide.here = null;
 }
@@ -203,9 +203,12 @@ function spin(machine: Machine, s: StatementOf<"spin">, index: number): void {
   if (limit !== null && limit < 0)
     machine.log.say(issue("outOfRange", "error", { value: limit, min: 0, max: FASTEST_SPINDLE }, "SMAX"), index);
   if (s.constantSurface && cuttingSpeed !== null && cuttingSpeed > 0) {
-    machine.set({ spindle: { kind: "surface", cuttingSpeed, limit: Math.max(0, limit ?? 0) } });
-  } else if (!s.constantSurface && speed !== null && speed > 0) machine.set({ spindle: { kind: "constant", speed } });
-  else machine.log.say(programIssue("spindleMissing", "error", {}), index);
+    machine.set({ spindle: { kind: "surface", cuttingSpeed, limit: Math.max(0, limit ?? 0) }, spunBy: index });
+  } else if (!s.constantSurface && speed !== null && speed > 0) machine.set({ spindle: { kind: "constant", speed }, spunBy: index });
+  else {
+    machine.log.say(programIssue("spindleMissing", "error", {}), index);
+    machine.set({ speedElsewhere: "told" });
+  }
 }
 
 /** One line of an older cycle: what shifts, mirrors, turns and scales is run, a contour's labels are noted, other cycles are told. */

@@ -19,9 +19,9 @@ const length = DEF.split("\n").length;
 const behind = (blocks: number) => 6 + length + blocks;
 
 describe("a call while nothing has started the spindle", () => {
-  test("is told at the call, once however many follow", () => {
+  test("is told at each call", () => {
     expect(stoppedAt(`${DEF}\nL X+77.3 Z+2.1 FMAX\nCYCL CALL`)).toEqual([behind(2)]);
-    expect(stoppedAt(`${DEF}\nL X+77.3 Z+2.1 FMAX\nCYCL CALL\nL X+81.7 Z+4.3 FMAX M99`)).toEqual([behind(2)]);
+    expect(stoppedAt(`${DEF}\nL X+77.3 Z+2.1 FMAX\nCYCL CALL\nL X+81.7 Z+4.3 FMAX M99`)).toEqual([behind(2), behind(3)]);
   });
 
   test.each(["M3", "M4", "M13", "M14", "M303", "M304"])("%s starts it, in the block itself as well", (m) => {
@@ -42,8 +42,8 @@ describe("a call while nothing has started the spindle", () => {
     expect(stoppedAt(`${block}\n${DEF}\nL X+77.3 Z+2.1 FMAX\nCYCL CALL`)).toEqual([]);
   });
 
-  test("is not told where speed or mode of turning are missing, which is", () => {
-    expect(stoppedAt(`${DEF}\nL X+77.3 Z+2.1 FMAX\nCYCL CALL`, "FUNCTION MODE TURN\nTOOL CALL 1\n")).toEqual([]);
+  test("tells a missing speed as well, in turning", () => {
+    expect(stoppedAt(`${DEF}\nL X+77.3 Z+2.1 FMAX\nCYCL CALL`, "FUNCTION MODE TURN\nTOOL CALL 1\n")).toEqual([behind(1)]);
     expect(stoppedAt(`${DEF}\nL X+77.3 Z+2.1 FMAX\nCYCL CALL`, "TOOL CALL 1\nFUNCTION TURNDATA SPIN VCONST:OFF S731\n")).toEqual([]);
   });
 });

@@ -1,6 +1,9 @@
+import { isDrill } from "../kernel/drill.ts";
+import { issue } from "../kernel/issue.ts";
+import type { Tool } from "../kernel/tool.ts";
 import type { Words } from "../nc/statement.ts";
-import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
+import { idleSpindle } from "./spindle-state.ts";
 
 /** M functions that start a spindle: those of every control, with coolant or without, and those of the turning spindle. */
 const START: readonly number[] = [3, 4, 13, 14, 303, 304];
@@ -16,19 +19,30 @@ const LAST_OF_PATH = 199;
 const mayStart = (m: number) =>
   START.includes(m) || !(STOPS_SPINDLE.includes(m) || ELSE.includes(m) || (m >= FIRST_OF_PATH && m <= LAST_OF_PATH));
 
+const spunAt = (machine: Machine, index: number) => ({ index, unproved: machine.log.unproved.length, told: false });
+
 /** What the M functions of a block start as it begins. */
-export function startedBy(machine: Machine, { functions }: Words): void {
+export function startedBy(machine: Machine, { functions }: Words, index: number): void {
   const last = functions.findLast(mayStart);
-  if (last !== undefined) machine.set({ turns: true, backwards: BACKWARDS.includes(last) });
+  if (last !== undefined) machine.set({ turns: true, backwards: BACKWARDS.includes(last), spun: spunAt(machine, index) });
 }
 
-/** What they stop at its end. */
-export function stoppedBy(machine: Machine, { functions }: Words): void {
-  if (functions.some((m) => STOPS_SPINDLE.includes(m))) machine.set({ turns: false, runsAs: null });
+/** What they stop at its end. A spindle that stands already was stopped by the block before. */
+export function stoppedBy(machine: Machine, { functions }: Words, index: number): void {
+  const { turns, spun } = machine.now;
+  if (!functions.some((m) => STOPS_SPINDLE.includes(m))) return;
+  machine.set({ turns: false, runsAs: null, spun: turns || spun.index === null ? spunAt(machine, index) : spun });
 }
 
-/** A call with a speed and no start. Silent where blocks that nobody here knows came before: any of them may have started the spindle. */
-export function mustTurn(machine: Machine, index: number): void {
-  if (machine.now.turns || machine.now.mode !== "TURN" || machine.log.unproved.length > 0) return;
-  machine.log.sayOnce(programIssue("spindleStopped", "warning", {}), index);
+/** A cycle is called: it is blamed itself, and what is cut behind it in the same state is not blamed again. */
+export function mustTurn(machine: Machine, tool: Tool, index: number, operation: number | null = null): void {
+  const idle = idleSpindle(machine.now, machine.log, tool);
+  if (!idle) {
+    const { ways, backwards, turns } = machine.now;
+    if (turns && !isDrill(tool) && !ways.has(tool.T)) machine.set({ ways: new Map([...ways, [tool.T, backwards]]) });
+    return;
+  }
+  machine.set({ spun: { ...machine.now.spun, told: true } });
+  const { how, by } = idle;
+  machine.log.say(issue("spindleStopped", "error", { how, ...(by !== null && { block: by }) }), index, 0, operation);
 }

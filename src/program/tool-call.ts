@@ -1,7 +1,8 @@
 import type { Tool } from "../kernel/tool.ts";
 import { degrees, length } from "../kernel/units.ts";
 import type { Parameter, Statement, StatementOf } from "../nc/statement.ts";
-import { programIssue } from "./issue.ts";
+import { breaksRule } from "./control-rule.ts";
+import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import type { Modal } from "./modal.ts";
 import type { Mill } from "./plane-types.ts";
@@ -17,6 +18,7 @@ export function toolDefinition(machine: Machine, s: StatementOf<"toolDefinition"
 export function toolCall(machine: Machine, s: StatementOf<"toolCall">, index: number): void {
   if (s.axis !== null) machine.setMill({ otherAxis: s.axis !== "Z" });
   const wanted = typeof s.tool === "object" && s.tool !== null ? toolOf(machine, s.tool, index) : s.tool;
+  if (s.tool !== null && machine.now.compensation !== "R0") breaksRule(machine, "toolCallCompensated", machine.now.compensation, index);
   if (s.tool !== null) changeTool(machine, wanted);
   if (wanted === null && s.tool !== null) unknownTool(machine);
   if (wanted !== null) takeMill(machine, s, wanted, index);
@@ -26,6 +28,7 @@ export function toolCall(machine: Machine, s: StatementOf<"toolCall">, index: nu
     machine.set({ feedWord: "F" });
   }
   if (wanted !== null) takeTool(machine, s, wanted, index);
+  if (s.speed !== null && machine.now.speedElsewhere === null) machine.set({ speedElsewhere: "toolCall" });
 }
 
 const toolOf = (machine: Machine, held: Parameter, index: number) =>
@@ -65,17 +68,26 @@ function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
   machine.endBrought();
   const refused = machine.shop.refused?.get(Number(wanted));
   const tool = refused ? undefined : (find(machine.shop.tools, wanted) ?? drillIn(machine.shop.mills ?? [], wanted));
-  machine.setPlace({ sure: { x: false, z: false }, brought: null, last: null });
+  machine.setPlace({ sure: { x: false, z: false }, brought: null, home: null, last: null });
   machine.set({ compensation: "R0", tool: tool ? asBefore(machine, tool) : null, toolRefused: !tool, corrections: {} });
   if (refused && typeof wanted === "number") { for (const i of refused) machine.log.say(i, index); }
   else if (!tool && (machine.now.turning || turnsLater(machine, index)))
-    machine.log.say(programIssue("toolUnknown", "error", { tool: String(wanted) }, "tool"), index);
+    machine.log.say(unknown(machine, wanted), index);
   if (tool && ((tool.DZL ?? 0) !== 0 || (tool.DXL ?? 0) !== 0))
     machine.log.say(programIssue("lengthDelta", "info", { tool: tool.T }, "tool"), index);
   // Off the plane that is turned in: the edge may stand above or below the axis.
   if (tool && (tool.DYL ?? 0) !== 0) machine.log.leaveUnproved("DYL", index);
   const deltas = [s.deltaLength, s.deltaRadius].some((d) => d !== null && d !== 0);
   if (deltas && tool && machine.now.turning) machine.log.leaveUnproved("DL DR", index);
+}
+
+/** The table has no such row: of a tool with an index, the rows that it has of that tool. */
+function unknown({ shop }: Machine, wanted: number | string): ProgramIssue {
+  const tool = String(wanted);
+  if (typeof wanted === "string" || Number.isInteger(wanted)) return programIssue("toolUnknown", "error", { tool }, "tool");
+  const numbers = [...shop.tools, ...(shop.mills ?? [])].map(({ T }) => T).concat([...(shop.refused?.keys() ?? [])]);
+  const rows = numbers.filter((T) => Math.floor(T) === Math.floor(wanted)).sort((a, b) => a - b).map(String);
+  return programIssue("toolIndexUnknown", "error", { tool, rows }, "tool");
 }
 
 /** The same tool as in the run before is the same object. */
@@ -123,10 +135,13 @@ export function drillOf(row: Mill): Tool | null {
   };
 }
 
-/** By number, the index behind the point aside, or by name. */
+/** Numbers of rows are apart by tenths; one that was calculated is as near as this. */
+const SAME_ROW = 0.001;
+
+/** By number with its index, or by name. */
 const find = <T extends Pick<Tool, "T" | "NAME">>(tools: readonly T[], wanted: number | string): T | undefined =>
   typeof wanted === "number"
-    ? (tools.find((t) => t.T === wanted) ?? tools.find((t) => t.T === Math.floor(wanted)))
+    ? tools.find((t) => Math.abs(t.T - wanted) < SAME_ROW)
     : (tools.find((t) => t.NAME === wanted) ?? tools.find((t) => t.NAME.toUpperCase() === wanted.trim().toUpperCase()));
 
 type Correction = NonNullable<Tool["correction"]>;

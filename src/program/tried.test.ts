@@ -19,7 +19,7 @@ function issuesOf(cycle: number, values: Numbers, tool: number, start: readonly 
   const words = Object.entries(values).map(([q, n]) => `${q}=${signed(n)}`).join(" ~\n");
   const text = `0 BEGIN PGM T MM\nBLK FORM CYLINDER Z D100 L100 DIST+2\nFUNCTION MODE TURN\nTOOL CALL ${tool}\nFUNCTION TURNDATA SPIN `
     + "VCONST:OFF S500\nM136\n"
-    + `L X+120 Z+50 R0 FMAX\nCYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL2\nCYCL DEF ${cycle} NAME ~\n${words}\n`
+    + `L X+120 Z+50 R0 FMAX M303\nCYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL2\nCYCL DEF ${cycle} NAME ~\n${words}\n`
     + `L X${signed(start[0])} Z${signed(start[1])} FMAX\nCYCL CALL\n${cycle === 820 ? contour : "M30"}\nEND PGM T MM\n`;
   return run(parse(text), { tools: shippedTools, rapid: 10_000 }).issues.map((found) => found.issue as Issue);
 }

@@ -9,6 +9,7 @@ import { isPolar } from "./approach-fields.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import { blockFeed, takeFeed } from "./block-feed.ts";
+import { offCentre } from "./off-centre.ts";
 import { noTool } from "./preconditions.ts";
 import { isDrillType } from "./tool-columns.ts";
 import { elementBetween, runHeldElement, moveOf, standAt, targetOf } from "./path-block.ts";
@@ -28,7 +29,8 @@ const carrierOf = (machine: Machine): CarrierFor => (side): Carrier => {
     top: null,
     emit: (s, { feed, index }) => {
       const path = partSegment(s);
-      if (part.lengthOf(path) > SAME) machine.step(path.from, moveOf(machine, path, feed), index, side !== "none" && feed !== null);
+      const isCompensated = side !== "none" && feed !== null;
+      if (part.lengthOf(path) > SAME) machine.step(path.from, moveOf(machine, path, feed), index, { isCompensated });
     },
     arrive: () => undefined,
     note: (run) => machine.log.approaches.push(run),
@@ -79,6 +81,7 @@ export function guidedPath(machine: Machine, block: PathBlock, index: number): v
     return;
   }
   const feed = target ? blockFeed(machine, words.feed, index) : machine.now.feed;
+  if (feed !== null) offCentre(machine, index);
   standAt(machine, block, target ?? machine.place.at);
   const to = machine.tip;
   if (!to) return closeTurn(machine);

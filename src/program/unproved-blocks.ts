@@ -9,8 +9,9 @@ import type { Machine } from "./machine.ts";
  * breathe, functions that count or log.
  */
 const HARMLESS = new RegExp(
-  String.raw`^(?:FN[ \t]*(?:1[4569]|2[0679]|3[789])[ \t]*:|FUNCTION[ \t]+(?:TCPM|RESET|FEED|S-PULSE|COUNT|DWELL|DCM|FILE)|`
-    + String.raw`DECLARE|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|`
+  String
+    .raw`^(?:FN[ \t]*(?:1[4569]|2[0679]|3[789])[ \t]*:|FUNCTION[ \t]+(?:TCPM|RESET|FEED|S-PULSE|COUNT|DWELL|DCM|FILE|AFC|LIFTOFF|CORRDATA[ \t]+RESET|TURNDATA[ \t]+CORR[ \t]+OFF)|`
+    + String.raw`AFC|LIFTOFF|SECTION[ \t]+MONITORING|CORRDATA[ \t]+RESET|DECLARE|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|`
     + String.raw`POLARKIN[ \t]+OFF|MONITORING|STOP|PLANE[ \t]+RESET)`,
   "i",
 );

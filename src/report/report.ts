@@ -1,11 +1,14 @@
+import { lengthsIn, type Lengths } from "../i18n/lengths.ts";
 import { message } from "../i18n/message.ts";
+import { isLength } from "../i18n/write.ts";
 import type { Language } from "../i18n/languages.ts";
 import type { AnyIssue } from "../i18n/message-texts.ts";
 import { cycleByNumber } from "../cycles/index.ts";
+import type { Kind } from "../cycles/params.ts";
 import type { Severity } from "../kernel/issue.ts";
 import { part, type Pt, type Segment } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
-import { toDiameter } from "../kernel/units.ts";
+import { IN_MM, toDiameter } from "../kernel/units.ts";
 import { programIssue } from "../program/issue.ts";
 import { timesOf, type Times } from "../program/run-times.ts";
 import type { Operation, Run, RunFinding, Timing } from "../program/run-types.ts";
@@ -115,7 +118,29 @@ interface Place {
   readonly inFile?: RunFinding["inFile"];
 }
 
-function issueOf(found: AnyIssue, { at, block, cycle, inFile }: Place, language: Language): ReportIssue {
+/** Offers that are none of a length, or one of a tool table, which counts in mm in any program. */
+const OTHER_OFFERS: ReadonlySet<AnyIssue["code"]> = new Set([
+  "notWhole",
+  "notAChoice",
+  "wallsMeet",
+  "angleNotFollowed",
+  "flankInfeedTooSteep",
+  "toolColumn",
+  "toolNumberTwice",
+]);
+/** Decimals of an offer in another unit than mm, as its sentence shows it. */
+const OFFERED = 5;
+
+/** The data of a finding, with what it offers in the unit of the program; every other length stays in mm. */
+function dataOf(found: AnyIssue, kind: Kind | undefined, { unit, per }: Lengths): object {
+  const { data } = found;
+  if (unit === "mm" || !("nearest" in data) || typeof data.nearest !== "number") return data;
+  const isAngle = "quantity" in data && (data.quantity === "angle" || data.quantity === "tangent");
+  if (kind === undefined ? isAngle || OTHER_OFFERS.has(found.code) : !isLength(kind)) return data;
+  return { ...data, nearest: Number((data.nearest / per).toFixed(OFFERED)) };
+}
+
+function issueOf(found: AnyIssue, { at, block, cycle, inFile }: Place, spoken: Lengths): ReportIssue {
   const field = at === undefined || cycle === null ? undefined : cycleByNumber(cycle)?.params[at]?.kind;
   return {
     code: found.code,
@@ -123,8 +148,8 @@ function issueOf(found: AnyIssue, { at, block, cycle, inFile }: Place, language:
     ...(at !== undefined && { at }),
     ...(block !== null && { block }),
     ...(inFile && { inFile }),
-    data: found.data,
-    text: message(language, found, field),
+    data: dataOf(found, field, spoken),
+    text: message(spoken, found, field),
   };
 }
 
@@ -166,16 +191,17 @@ function residualsOf({ run, simulation, tools = [] }: Checked): ReportResidual[]
 export function report(checked: Checked, language: Language): Report {
   const { file, run, simulation, milliseconds } = checked;
   const { beside: _, turning: __, ...timing } = run.timing;
+  const spoken = lengthsIn(language, run.program.unit, IN_MM[run.program.unit]);
   const judged = verdictOf(run, simulation);
   const { gouge, rapidInStock, cut, airPasses, deepest, holder } = simulation.proof;
   const proved = stockIssues(simulation);
   const cycleOf = (operation: number | null) => (operation === null ? null : (run.operations[operation]?.cycle ?? null));
   const proofIssue = (p: ProofIssue) => {
     const block = p.block ?? (p.operation === null ? null : (run.operations[p.operation]?.block ?? null));
-    return issueOf(p.issue, { at: p.issue.at, block, cycle: null }, language);
+    return issueOf(p.issue, { at: p.issue.at, block, cycle: null }, spoken);
   };
   const notProved = (what: string, block: number | null) =>
-    issueOf(programIssue("notProved", "warning", { what }), { block, cycle: null }, language);
+    issueOf(programIssue("notProved", "warning", { what }), { block, cycle: null }, spoken);
   const operation = (o: Operation, index: number): ReportOperation => ({
     block: o.block,
     cycle: o.cycle,
@@ -193,7 +219,7 @@ export function report(checked: Checked, language: Language): Report {
           block: f.block,
           cycle: o.cycle,
           ...(f.inFile && { inFile: f.inFile }),
-        }, language)
+        }, spoken)
       ),
       ...proved.filter((p) => p.operation === index).map(proofIssue),
     ],
@@ -224,7 +250,7 @@ export function report(checked: Checked, language: Language): Report {
           block: f.block,
           cycle: cycleOf(f.operation),
           ...(f.inFile && { inFile: f.inFile }),
-        }, language)
+        }, spoken)
       ),
       ...judged.reasons.flatMap((r) => (r.kind === "milling" ? [notProved(MILLING, r.block)] : [])),
       ...simulation.proof.unproved.slice(run.unproved.length).map(({ what, block }) => notProved(what, block)),

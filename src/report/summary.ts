@@ -59,6 +59,10 @@ function because(r: VerdictReason): string {
       return `rapid behind the rear end of the blank, first${inBlock(r.block)}`;
     case "clampContact":
       return `tool or holder meets the clamping, first${inBlock(r.block)}`;
+    case "spindleStopped":
+      return `the spindle does not turn as it must, first${inBlock(r.block)}`;
+    case "holeMissing":
+      return `a hole is missing, first${inBlock(r.block)}`;
     case "unproved":
       return `${r.what} was not simulated: nothing is proved from${r.block === null ? " the beginning" : ` block ${r.block}`}${
         inFile(r.file)
@@ -75,6 +79,8 @@ function because(r: VerdictReason): string {
       return `holder not checked: tool ${r.tool} ${r.name} has none`;
     case "flanksUnknown":
       return `flanks not checked: tool ${r.tool} ${r.name} has no T-ANGLE or P-ANGLE`;
+    case "curvatureUnknown":
+      return `curvature of the blade not checked: tool ${r.tool} ${r.name} plunges along Z, and no range of diameters is stated for it`;
   }
 }
 

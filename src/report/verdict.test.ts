@@ -35,7 +35,7 @@ const cycle = `7 CYCL DEF 812 ABSATZ LAENGS ERW. ~
  Q484=+0.2 ~
  Q505=+0.2 ~
  Q506=+0
-8 L X+75 Z+2 R0 FMAX
+8 L X+75 Z+2 R0 FMAX M303
 9 CYCL CALL
 `;
 const end = "10 M30\n11 END PGM V MM\n";

@@ -1,4 +1,4 @@
-import { flanksUnknown } from "../kernel/insert.ts";
+import { curvatureUnknown, flanksUnknown } from "../kernel/insert.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { Run } from "../program/run-types.ts";
 import { REAL_AREA } from "../kernel/real-area.ts";
@@ -21,8 +21,9 @@ export type VerdictReason =
   | { readonly kind: "noOperation"; readonly block: null }
   /** Path and stock are proved, and yet it is hardly what is wanted. */
   | { readonly kind: "notes"; readonly block: number | null; readonly notes: readonly VerdictNote[] }
-  /** The verdict stands, but nobody has looked at the holder of this tool, or at the flanks of its insert. */
-  | { readonly kind: "holderUnknown" | "flanksUnknown"; readonly block: number; readonly tool: number; readonly name: string };
+  /** The verdict stands, but nobody has looked at the holder of this tool, at the flanks of its insert, or at the curvature of its blade. */
+  | { readonly kind: "holderUnknown" | "flanksUnknown" | "curvatureUnknown"; readonly block: number; readonly tool: number;
+    readonly name: string };
 
 /** A feed that nobody means, most passes of an operation in the air, much that stays, an operation that the edge is too short for. */
 export type VerdictNote = "feed" | "air" | "residue" | "cutLength";
@@ -107,6 +108,7 @@ function unlookedAt(run: Run): VerdictReason[] {
     return [
       ...(tool.holder ? [] : [{ kind: "holderUnknown", ...about } as const]),
       ...(flanksUnknown(tool) ? [{ kind: "flanksUnknown", ...about } as const] : []),
+      ...(curvatureUnknown(tool) ? [{ kind: "curvatureUnknown", ...about } as const] : []),
     ];
   });
 }

@@ -1,9 +1,10 @@
+import { inBox } from "../kernel/box.ts";
 import { areaOf } from "../kernel/area.ts";
 import { difference, intersection } from "../kernel/clip.ts";
 import { isDrill } from "../kernel/drill.ts";
 import type { Ring } from "../kernel/point.ts";
 import { real } from "../kernel/real-area.ts";
-import type { Step } from "../kernel/step.ts";
+import type { NeededHole, Step } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { inStock } from "./contact.ts";
 import { near, type Cutting } from "./cutting.ts";
@@ -67,9 +68,15 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
         ...(by.isMeant && { isMeant: true }),
         ...(by.below !== undefined && { below: by.below }),
         ...(by.rear !== undefined && { rear: by.rear }),
+        ...(kind === "spindleStopped" && step.idle && { idle: step.idle }),
+        ...(kind === "holeMissing" && step.hole && { hole: { tool: step.tool.T, ...step.hole } }),
       });
   };
   const now = cut.present();
+  const inHole = ({ from, move: { to } }: Step, { radius }: NeededHole) => {
+    const [low, high] = [Math.min(from.z, to.z), Math.max(from.z, to.z)];
+    return real(inBox(cut.stock(), { left: low, right: high, low: 0, high: radius }));
+  };
   // The quick look joins many pieces at once; what it finds is looked at again in the stock itself.
   const sure = (area: Ring[]) => (area.length === 0 ? area : real(intersection(cut.stock(), area)));
   const touches = near(sweep, now.meets).length > 0;
@@ -95,5 +102,8 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
     report(step.move.kind === "rapid" ? "rapidBehindBlank" : "feedBehindBlank", behind(sweep, rear), { ...step, rear: rear.z });
   if (loose && step.move.kind !== "rapid" && sweep.pieces.some((p) => loose.edges.meets(p)) && worksOn(loose, index, cut, against))
     report("cutOnLoosePiece", real(intersection(loose.rings, sweep.rings)));
+  if (step.move.kind === "rapid") return found;
+  if (touches && step.idle) report("spindleStopped", sure(real(inStock([sweep], now))));
+  if (touches && step.hole) report("holeMissing", sure(inHole(step, step.hole)));
   return found;
 }

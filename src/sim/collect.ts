@@ -43,6 +43,13 @@ const goesOn = (f: AnyFinding) => staysThere(f) || f.kind === "cutBelowContour";
 const covers = (f: AnyFinding) =>
   staysThere(f) || f.kind === "cutOnLoosePiece" || f.kind === "rapidBehindBlank" || f.kind === "feedBehindBlank";
 
+/** What belongs together: of a spindle that stands still everything that is cut until it is started. */
+function groupOf(f: AnyFinding): string {
+  if (f.idle) return `${f.idle.how} ${f.idle.by ?? ""}`;
+  const part = f.clamp ? `${f.clamp.part} ${f.clamp.by} ` : "";
+  return `${f.kind} ${part}${f.isMeant ?? false} ${f.operation ?? (goesOn(f) ? "" : `block ${f.block}`)}`;
+}
+
 /**
  * Begins to gather. Moves of one cycle call belong together, outside cycles those of one block; a holder that touches, however
  * it goes on.
@@ -71,11 +78,11 @@ export function collector(): Collector {
   return {
     add(found) {
       for (const f of found) {
-        const part = f.clamp ? `${f.clamp.part} ${f.clamp.by} ` : "";
-        const key = `${f.kind} ${part}${f.isMeant ?? false} ${f.operation ?? (goesOn(f) ? "" : `block ${f.block}`)}`;
+        const key = groupOf(f);
         const group = groups.get(key) ?? [];
         const box = boxAround(f.rings);
-        const same = group.find((k) => gapBetween(k.box, box) <= SAME_PLACE) ?? (kept.length >= MOST ? last.get(f.kind) : undefined);
+        const same = group.find((k) => f.idle !== undefined || gapBetween(k.box, box) <= SAME_PLACE)
+          ?? (kept.length >= MOST ? last.get(f.kind) : undefined);
         if (same) join(same, f, box);
         else {
           const fresh = { finding: f, box, largest: f.area, many: RINGS };

@@ -32,7 +32,7 @@ function overrun({ crest, stop, openSide }: ThreadWay, { place, area }: AnyFindi
   });
 }
 
-function whatOf({ kind, area, place, block, clamp, other = block, rear = place.z }: AnyFinding): Issue {
+function whatOf({ kind, area, place, block, clamp, idle, hole, other = block, rear = place.z }: AnyFinding): Issue {
   const [x, z] = [toDiameter(place.r), place.z];
   if (clamp) return issue("clampContact", "error", { ...clamp, x, z });
   switch (kind) {
@@ -47,6 +47,10 @@ function whatOf({ kind, area, place, block, clamp, other = block, rear = place.z
       return issue("behindBlank", "error", { motion: "rapid", x, z, rear });
     case "feedBehindBlank":
       return issue("behindBlank", "warning", { motion: "feed", x, z, rear });
+    case "spindleStopped":
+      return issue(kind, "error", { how: idle?.how ?? "stopped", ...(idle && idle.by !== null && { block: idle.by }) });
+    case "holeMissing":
+      return issue(kind, "error", { tool: hole?.tool ?? 0, diameter: toDiameter(radius(hole?.drill ?? 0)), z });
     default:
       return issue(kind, "error", { area, x, z });
   }

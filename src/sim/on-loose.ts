@@ -30,6 +30,8 @@ export function worksOn(
   const step = steps[index] as Step;
   if (real(intersection(loose.inside, sweptBy(SPOT, step).rings)).length === 0) return false;
   const operation = operations[step.operation ?? -1];
+  // A tool that is fed to a bar which does not turn stops it, and cuts nothing.
+  if (!operation && step.idle?.how === "stopped") return false;
   if (operation) return real(intersection(loose.inside, [operation.plan.area])).length > 0;
   const [first, last] = plainRun(steps, index);
   const { insert } = outlines(step.tool);

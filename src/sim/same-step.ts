@@ -31,8 +31,11 @@ export function sameSteps(): (a: Step, b: Step) => boolean {
   };
   const sameTool = (a: Tool, b: Tool): boolean => a === b || writing(a) === writing(b);
   const sameBringing = (a: Step, b: Step): boolean => (a.broughtBy === undefined) === (b.broughtBy === undefined);
+  const sameDemand = (a: Step, b: Step): boolean =>
+    a.idle?.how === b.idle?.how && a.idle?.by === b.idle?.by && a.hole?.radius === b.hole?.radius;
   return (a, b) =>
     a === b
-    || (a.operation === b.operation && a.intent === b.intent && sameBringing(a, b) && samePoint(a.from, b.from) && sameMove(a.move, b.move)
+    || (a.operation === b.operation && a.intent === b.intent && sameDemand(a, b) && sameBringing(a, b) && samePoint(a.from, b.from)
+      && sameMove(a.move, b.move)
       && sameTool(a.tool, b.tool));
 }

@@ -1,3 +1,4 @@
+import { curvatureUnknown } from "../kernel/insert.ts";
 import { areaOf } from "../kernel/area.ts";
 import { packed } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
@@ -270,7 +271,7 @@ function simulated(
       deepest: measured.reduce<Depth | null>((best, { deepest }) => (deepest && deepest.depth > (best?.depth ?? 0) ? deepest : best), null),
       holder: findings.some((f) => f.kind === "holderContact" || f.clamp?.by === "holder")
         ? "contact"
-        : steps.some((s) => !s.tool.holder)
+        : steps.some((s) => !s.tool.holder || curvatureUnknown(s.tool))
         ? "unknown"
         : "clear",
       unproved: [...unproved, ...statements.unproved()],

@@ -3,7 +3,7 @@ import type { Clamped, ClampPart } from "../kernel/clamping.ts";
 import type { Issue, Reason } from "../kernel/issue.ts";
 import type { MachiningLimit, Plan } from "../kernel/plan.ts";
 import type { Pt, Ring } from "../kernel/point.ts";
-import type { Stated, Step, Unproved } from "../kernel/step.ts";
+import type { Idle, NeededHole, Stated, Step, Unproved } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 
 /** One executed cycle call: its plan and its steps, `firstStep` to `lastStep` included (none: lastStep < firstStep). */
@@ -49,7 +49,16 @@ export interface Checkpoint {
 }
 
 /** What must not happen in a stock. */
-export const STOCK_FAULTS = ["gouge", "rapidInStock", "holderContact", "clampContact", "cutOnLoosePiece", "rapidBehindBlank"] as const;
+export const STOCK_FAULTS = [
+  "gouge",
+  "rapidInStock",
+  "holderContact",
+  "clampContact",
+  "cutOnLoosePiece",
+  "rapidBehindBlank",
+  "spindleStopped",
+  "holeMissing",
+] as const;
 export type StockFault = (typeof STOCK_FAULTS)[number];
 
 /** What may be meant: plain cuts below the contour of a cycle, and feeds behind the blank. */
@@ -68,6 +77,10 @@ export interface StockFinding<Kind = StockFault> {
   /** mm² in the half plane. */
   readonly area: number;
   readonly rings: readonly Ring[];
+  /** Why the spindle does not turn as it must, where that is the fault. */
+  readonly idle?: Idle;
+  /** The hole that is missing, mm, and the number of the tool that needs it. */
+  readonly hole?: NeededHole & { readonly tool: number };
   /** Moves that did it in this place; `step` is the first of them. */
   readonly moves: number;
   /** The block that it is about beside its own: the cycle whose contour a plain cut goes below, or what cut a piece loose. */

@@ -76,7 +76,7 @@ Q506=+0`;
 
 /** What is wrong, in which program, and the block, word or value that is offered first. */
 const cases: readonly (readonly [code: string, text: string, offered: string | number])[] = [
-  ["spindleMissing", without("FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"), "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"],
+  ["spindleStopped", without("FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"), "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"],
   ["spindleStopped", changed("L X+61.3 Y+0 Z+2 FMAX M303", "L X+61.3 Y+0 Z+2 FMAX M5"), "M303"],
   ["spindleStopped", changed("L X+61.3 Y+0 Z+2 FMAX M303", "L X+61.3 Y+0 Z+2 FMAX M8"), "M303"],
   ["programEndMissing", without("M30", "END PGM A MM"), "M30"],

@@ -216,6 +216,8 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
   const index = indexOf(program, entry);
   const { issue, at } = entry;
   const insert = (place: number, ...statements: Statement[]) => [insertion(program, place, statements, index)];
+  const withSpeed = () =>
+    insert(toolCallBefore(program, index) + 1, { kind: "spin", constantSurface: true, cuttingSpeed: 180, speed: null, limit: 2500 });
   const maybe = (repair: Repair | null) => (repair ? [repair] : []);
   switch (issue.code as string) {
     case "notInTurnMode":
@@ -223,10 +225,10 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
     case "cycleNeverCalled":
       return insert(placeOfCall(program, index), { kind: "cycleCall", how: "", words: noWords });
     case "spindleMissing":
-      return asking(
-        insert(toolCallBefore(program, index) + 1, { kind: "spin", constantSurface: true, cuttingSpeed: 180, speed: null, limit: 2500 }),
-      );
+      return asking(withSpeed());
     case "spindleStopped":
+      if ("how" in issue.data && issue.data.how === "noSpeed") return asking(withSpeed());
+      if ("how" in issue.data && issue.data.how === "hand") return [];
       return [withSpindleStarted(program, index, outputIn(program, output).spindleOn)];
     case "noToolCalled":
       return asking(insert(placeBehindFrame(program, index), toolCallOf(1)));

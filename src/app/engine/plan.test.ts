@@ -170,7 +170,7 @@ test.each([1, 4, 7])("what comes before a change of operation %i is not run agai
 
 test("what was said of a contour at the end stands at its new line when a block before it loses one", () => {
   const plan = planner();
-  const text = program("flange.h").replace(/^72 LBL 1(\r?\n)/m, "72 LBL 1$1CHF 1.3$1");
+  const text = program("flange.h").replace(/^74 L X\+20(\r?\n)/m, "74 L X+20$1CHF 1.3$1");
   const before = plan(requestOf(text));
   const shorter = text.replace(/\S*Q509=(?![\s\S]*Q509=).*\r?\n/, "");
   const after = plan(requestOf(shorter));

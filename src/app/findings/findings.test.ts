@@ -136,7 +136,7 @@ const around = (blocks: string) =>
 
 test.each([["nothing but its blank", "", "none"], [
   "a cut by hand",
-  "TOOL CALL 1\nL X+91.3 Z+52 R0 FMAX\nL X+60.2 FMAX\nL Z-3.4 F0.2\n",
+  "TOOL CALL 1\nFUNCTION TURNDATA SPIN VCONST:OFF S520\nL X+91.3 Z+52 R0 FMAX M303\nL X+60.2 FMAX\nL Z-3.4 F0.2\n",
   "doubt",
 ]])("a program with %s: is there something that could be proved", (_, blocks, tone) => {
   const outcome = outcomeOf(around(blocks));

@@ -25,6 +25,8 @@ const SEEN = {
   rapidBehindBlank: 0.999,
   feedBehindBlank: 0.999,
   cutBelowContour: 0.999,
+  spindleStopped: 0,
+  holeMissing: 0,
 } as const;
 
 /** The code under which a finding of the stock is told. */

@@ -43,7 +43,7 @@ export function useJobHost(read: JobReading): FindingsHost {
           name: places.blank,
           go: () => goToField("setup", "blank.outside"),
         };
-      if (issue.code === "spindleMissing")
+      if (issue.code === "spindleMissing" || (issue.code === "spindleStopped" && issue.data.how === "noSpeed"))
         return {
           name: places.spindle,
           go: () => goToField("setup", job.spindle.mode === "constant" ? "spindle.speed" : "spindle.cuttingSpeed"),

@@ -34,6 +34,7 @@ function because(t: Words["because"], doubt: Doubt): readonly string[] {
       return [doubt.turned ? t.noCycle : t.noOperation, ...(doubt.approachesClear ? [t.approachesClear] : [])];
     case "holderUnknown":
     case "flanksUnknown":
+    case "curvatureUnknown":
       return [t[doubt.kind](doubt.tools.join(", "))];
   }
 }

@@ -9,7 +9,7 @@ export type Doubt =
   /** `begun`: something in it is cut or drawn all the same, or a cycle is described that no call runs; `turned`: moves cut without one. */
   | { readonly kind: "noOperation"; readonly approachesClear: boolean; readonly begun: boolean; readonly turned: boolean }
   /** All tools that nobody described in full, in one sentence. */
-  | { readonly kind: "holderUnknown" | "flanksUnknown"; readonly tools: readonly number[] };
+  | { readonly kind: "holderUnknown" | "flanksUnknown" | "curvatureUnknown"; readonly tools: readonly number[] };
 
 /** What the screen says about a program as a whole: the judgement of the report, and what the list of findings adds. */
 export interface ShownVerdict {
@@ -54,7 +54,7 @@ function doubtsOf(reasons: readonly VerdictReason[], entries: readonly FindingEn
         break;
     }
   }
-  for (const kind of ["holderUnknown", "flanksUnknown"] as const) {
+  for (const kind of ["holderUnknown", "flanksUnknown", "curvatureUnknown"] as const) {
     const tools = reasons.flatMap((r) => (r.kind === kind ? [r.tool] : [])).sort((a, b) => a - b);
     if (tools.length > 0) doubts.push({ kind, tools });
   }

@@ -37,7 +37,7 @@ function choiceText(t: Texts, cycle: Cycle, { choice }: Proposal): string | null
 /** What is wrong with a way, the gravest first. */
 function problemsOf(t: Texts, words: WhichTexts, language: Language, { issues, judged, leavesMost }: Tried, cycle: number) {
   const found = judged.reasons.flatMap(({ kind }) => {
-    if (kind === "error" || kind === "holderUnknown" || kind === "flanksUnknown") return [];
+    if (kind === "error" || kind === "holderUnknown" || kind === "flanksUnknown" || kind === "curvatureUnknown") return [];
     return [kind in words.problems ? words.problems[kind as keyof typeof words.problems] : words.problems.unproved];
   });
   const said = issues.map((issue) => issueText(t, language, issue, cycle));

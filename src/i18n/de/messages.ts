@@ -1,4 +1,5 @@
 import type { MessagesTexts } from "../message-texts.ts";
+import { running } from "./messages/running.ts";
 import { threads } from "./messages/threads.ts";
 
 /** What a finding offers, where it offers something. */
@@ -37,6 +38,7 @@ export const messages = {
   severity: { error: "Fehler", warning: "Warnung", info: "Hinweis" },
   reasons,
   of: {
+    ...running,
     ...threads,
     missing: () => "Wert eingeben.",
     notANumber: (d, w) => `„${w.text(d.text)}“ ist keine Zahl.`,
@@ -306,7 +308,6 @@ export const messages = {
       `Die Kontur steht in der Datei ${w.text(d.file)}, die hier nicht vorliegt: Sie in ein Label schreiben und mit Zyklus 14 nennen.`,
     feedMissing: () => "Es ist kein Vorschub programmiert.",
     spindleMissing: () => "Es ist keine Spindeldrehzahl programmiert; Zeiten fehlen.",
-    spindleStopped: () => "Vor diesem Aufruf startet kein M3, M4, M303 oder M304 die Spindel.",
     parameterUnset: (d) => `${d.name} hat hier keinen Wert.`,
     divisionByZero: () => "Division durch 0.",
     notFinite: (d, w) => `„${w.text(d.text)}“ ergibt keine brauchbare Zahl.`,

@@ -1,4 +1,5 @@
 import type { MessagesTexts } from "../message-texts.ts";
+import { running } from "./messages/running.ts";
 import { threads } from "./messages/threads.ts";
 
 /** What a finding offers, where it offers something. */
@@ -39,6 +40,7 @@ export const messages = {
   severity: { error: "Error", warning: "Warning", info: "Note" },
   reasons,
   of: {
+    ...running,
     ...threads,
     missing: () => "Enter a value.",
     notANumber: (d, w) => `“${w.text(d.text)}” is not a number.`,
@@ -283,7 +285,6 @@ export const messages = {
       `The contour is in the file ${w.text(d.file)}, which is not at hand: put it into a label and name it with cycle 14.`,
     feedMissing: () => "No feed is programmed.",
     spindleMissing: () => "No spindle speed is programmed; times are missing.",
-    spindleStopped: () => "No M3, M4, M303 or M304 before this call starts the spindle.",
     parameterUnset: (d) => `${d.name} has no value here.`,
     divisionByZero: () => "Division by zero.",
     notFinite: (d, w) => `“${w.text(d.text)}” gives no usable number.`,

@@ -1,4 +1,5 @@
 import type { MessagesTexts } from "../message-texts.ts";
+import { running } from "./messages/running.ts";
 import { threads } from "./messages/threads.ts";
 
 /** What a finding offers, where it offers something. */
@@ -38,6 +39,7 @@ export const messages = {
   severity: { error: "Erreur", warning: "Avertissement", info: "Remarque" },
   reasons,
   of: {
+    ...running,
     ...threads,
     missing: () => "Saisir une valeur.",
     notANumber: (d, w) => `« ${w.text(d.text)} » n’est pas un nombre.`,
@@ -303,7 +305,6 @@ export const messages = {
       `Le contour est dans le fichier ${w.text(d.file)}, absent ici : le placer dans un label et le nommer avec le cycle 14.`,
     feedMissing: () => "Aucune avance n’est programmée.",
     spindleMissing: () => "Aucune vitesse de broche n’est programmée ; les temps manquent.",
-    spindleStopped: () => "Avant cet appel, aucun M3, M4, M303 ou M304 ne démarre la broche.",
     parameterUnset: (d) => `${d.name} n’a pas de valeur ici.`,
     divisionByZero: () => "Division par zéro.",
     notFinite: (d, w) => `« ${w.text(d.text)} » ne donne pas de nombre utilisable.`,

@@ -43,6 +43,7 @@ export const findings = {
     noOperation: "没有任何验证",
     milling: "铣削未验证",
     flanksUnknown: "路径已验证，侧刃未检查",
+    curvatureUnknown: "路径已验证，切刀弧度未检查",
     faultsIn: (n, file) => (n === 1 ? `${file} 中有 1 个错误` : `${n} 个错误，第一个在 ${file} 中`),
     unprovedIn: (file) => `${file} 并非全部都已仿真`,
     notes: "路径已检查，请看提示",
@@ -63,6 +64,7 @@ export const findings = {
       approachesClear: "接近和离开路径无碰撞。",
       holderUnknown: (tools) => `刀具 ${tools} 的刀杆未检查：刀具表中没有刀杆数据。`,
       flanksUnknown: (tools) => `刀具 ${tools} 的侧刃未检查：T-ANGLE 或 P-ANGLE 为空。`,
+      curvatureUnknown: (tools) => `刀具 ${tools} 的切刀弧度未检查：端面切槽刀只适用于一定直径范围，而刀具表中未给出。`,
     },
   },
   leaving: {

@@ -1,4 +1,5 @@
 import type { MessagesTexts } from "../message-texts.ts";
+import { running } from "./messages/running.ts";
 import { threads } from "./messages/threads.ts";
 
 /** What a finding offers, where it offers something. */
@@ -37,6 +38,7 @@ export const messages = {
   severity: { error: "错误", warning: "警告", info: "提示" },
   reasons,
   of: {
+    ...running,
     ...threads,
     missing: () => "请输入数值。",
     notANumber: (d, w) => `“${w.text(d.text)}”不是数字。`,
@@ -220,7 +222,6 @@ export const messages = {
     contourInFile: (d, w) => `轮廓在文件${w.text(d.file)}中，此处没有：请写入标签并用循环14指定。`,
     feedMissing: () => "没有编程进给速率。",
     spindleMissing: () => "没有编程主轴转速，无法计算时间。",
-    spindleStopped: () => "此调用之前没有M3、M4、M303或M304启动主轴。",
     parameterUnset: (d) => `${d.name}在此处没有值。`,
     divisionByZero: () => "除数为零。",
     notFinite: (d, w) => `“${w.text(d.text)}”得不到可用的数值。`,

@@ -1,0 +1,94 @@
+/** What a program of this folder must report. Codes carry their severity from `SEVERITY`. */
+export interface Expected {
+  /** In words, for the name of the test. */
+  readonly says: string;
+  /** Codes that must be reported; with a number, exactly that many of them. */
+  readonly has?: Readonly<Record<string, number | true>>;
+  readonly hasNot?: readonly string[];
+  /** Codes that must be reported, and only as infos. */
+  readonly infos?: readonly string[];
+  readonly mostWarnings?: number;
+  /** Codes of errors allowed at all; everything else must be no error. */
+  readonly errors?: readonly string[];
+  /** At most this many errors. */
+  readonly mostErrors?: number;
+  /** An error that names one of these fields. */
+  readonly errorAt?: readonly string[];
+  readonly verdict?: "proved" | "faults" | "incomplete";
+  /** Whether the proof finds any, mm². */
+  readonly gouge?: boolean;
+  readonly rapidInStock?: boolean;
+  /** Most material that stays, mm². */
+  readonly left?: number;
+  /** Reasons of what stays: one that must be there, and those that must not hold more than the area given. */
+  readonly reason?: string;
+  readonly noReason?: Readonly<Record<string, number>>;
+  readonly unproved?: boolean;
+  /** Ends of the motion outside cycles, in order: [X, Z]. What the first position is reached from is not known, so it is no move. */
+  readonly path?: readonly (readonly [x: number, z: number])[];
+  /** Feeds of the motion outside cycles by block. */
+  readonly feeds?: Readonly<Record<number, number>>;
+  /** Diameter of the deepest long roughing cut along Z. */
+  readonly lastLevel?: number;
+  /** Lowest Z that the first operation cuts to. */
+  readonly lowestZ?: number;
+  /** No finishing cut runs along this Z, or passes it by more than the clearance given. */
+  readonly finishAlongZ?: { readonly z: number; readonly beyond?: { readonly side: 1 | -1; readonly most: number } };
+  /** Circular motion of a block in the X/Z plane: centre [X, Z]. */
+  readonly arcInXZ?: Readonly<Record<number, readonly [x: number, z: number]>>;
+  /** Every operation runs the same moves from its own start point, and comes back to it at rapid. */
+  readonly alike?: true;
+  /** Motion follows the blocks in order. */
+  readonly inOrder?: true;
+  /** Nothing stays on the axis. */
+  readonly cleanAtAxis?: true;
+  /** No motion of an operation comes nearer to the axis than this X. */
+  readonly notNearer?: number;
+  /** No finding offers a value below 0. */
+  readonly offersNoNegative?: true;
+  /** The values that findings offer, in the unit of the program. */
+  readonly offers?: readonly number[];
+  readonly holder?: "clear" | "contact" | "unknown";
+  /** Tools beside those that are shipped, as in a file of tools. */
+  readonly tools?: readonly Readonly<Record<string, string | number>>[];
+  /** Not yet so. */
+  readonly pending?: true;
+}
+
+/** Severities that scripts rely on. */
+export const SEVERITY: Readonly<Record<string, "error" | "warning" | "info">> = {
+  notInTurnMode: "error",
+  compensationActive: "error",
+  toolUnfit: "error",
+  labelTwice: "error",
+  feedZero: "error",
+  feedUnlikely: "warning",
+  spindleStopped: "error",
+  holeMissing: "error",
+  toolIndexUnknown: "error",
+  firstElement: "error",
+  controlRule: "error",
+  offCentre: "warning",
+  threadSurfaceSpeed: "warning",
+  speedUnlimited: "warning",
+  speedUnlikely: "warning",
+  cycleNeverCalled: "warning",
+  neverReached: "warning",
+  deeperThanInfeed: "warning",
+  nothingCut: "warning",
+  airPasses: "info",
+  notProved: "warning",
+  startUnknown: "warning",
+  parameterForeign: "warning",
+  tooManyPasses: "error",
+  rapidInStock: "error",
+  gouge: "error",
+  holderContact: "error",
+  clampContact: "error",
+  materialLeft: "warning",
+  threadOverruns: "error",
+  crestMissing: "warning",
+  runInBlocked: "error",
+  pitchNotListed: "error",
+  boreMissing: "error",
+};
