@@ -1,4 +1,4 @@
-import type { Statement } from "../nc/statement.ts";
+import type { FileName, Statement } from "../nc/statement.ts";
 import { formulaOf, textOf, type Trouble } from "./formula.ts";
 import type { Machine } from "./machine.ts";
 
@@ -22,3 +22,7 @@ function keep(machine: Machine, target: string, result: number | string | Troubl
   if (n === null) known.forget(target, passedOn ?? "told");
   else known.set(target, n);
 }
+
+/** The name that a block gives a file; null when it hangs on a parameter that holds none. */
+export const fileNameOf = (machine: Machine, file: FileName, index: number): string | null =>
+  typeof file === "object" ? machine.text(file.parameter, index) : file;

@@ -44,7 +44,10 @@ function goesHome(machine: Machine, words: Words, index: number): boolean {
   return true;
 }
 
-/** A block in machine coordinates: the axes that it names are not known behind it. The way there, from a known place, is not proved, but for the way home. */
+/**
+ * A block in machine coordinates: the axes that it names are not known behind it. The way there, from a known place, is not proved, but for
+ * the way home.
+ */
 export function elsewhere(machine: Machine, words: Words, index: number): void {
   const { mill } = machine.place;
   const wasKnown = machine.now.turning

@@ -1,11 +1,9 @@
 import type { FeedUnit, Move } from "../kernel/move.ts";
-import { holeOf } from "../kernel/drill.ts";
 import type { Pt } from "../kernel/point.ts";
-import type { NeededHole, Spindle } from "../kernel/step.ts";
+import type { Spindle } from "../kernel/step.ts";
 import { INCH, type Feed } from "../kernel/units.ts";
 import type { Block, Program } from "../nc/program.ts";
-import type { FileName, Label, Statement, StatementOf, Value } from "../nc/statement.ts";
-import { NO_TRANSFORM } from "./coordinates-frame.ts";
+import type { Label, Statement, StatementOf, Value } from "../nc/statement.ts";
 import { valueOf, type Parameters, type Trouble } from "./formula.ts";
 import { MOST_BLOCKS, MOST_MOVES, MOST_OPERATIONS, MOST_TURNED } from "./bounds.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
@@ -14,14 +12,14 @@ import { KnownValues } from "./known-values.ts";
 import { MachineClock } from "./machine-clock.ts";
 import { Log } from "./log.ts";
 import { intents } from "./meant-cuts.ts";
-import { AT_START, NO_SHIFT, NOT_PLACED, type Milling, type Modal, type Whereabouts } from "./modal.ts";
+import { AT_START, NOT_PLACED, type Milling, type Modal, type Whereabouts } from "./modal.ts";
 import { pointIn } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
 import { fileKey } from "./program-files.ts";
 import type { RunMoment } from "./run-moment.ts";
 import type { Shop } from "./shop.ts";
 import { speedFaults } from "./speed-limits.ts";
-import { idleSpindle } from "./spindle-state.ts";
+import { demands, type GivenForStep } from "./spindle-state.ts";
 import { stepOf, timed, type TimedSteps } from "./step-of.ts";
 import type { TracedBlank } from "./tracing.ts";
 import { isSkipped, unitFrom, type Unit } from "./units.ts";
@@ -130,11 +128,6 @@ export class Machine {
     return isSkipped(this.blocks[index], this.shop.skipMarked ?? false);
   }
 
-  /** The name that a block gives a file; null when it hangs on a parameter that holds none. */
-  fileName(file: FileName, index: number): string | null {
-    return typeof file === "object" ? this.text(file.parameter, index) : file;
-  }
-
   /** The text of a QS parameter, or null with an issue at the block. */
   text(name: string, index: number): string | null {
     const held = this.known.texts.get(name);
@@ -169,13 +162,6 @@ export class Machine {
     this.endBrought();
     this.setPlace({ ...NOT_PLACED, lost: "unproved", held: this.place.held, milled: this.place.milled });
     this.millGuide.here = null;
-  }
-
-  /** A preset takes shift, mirror, rotation and scale back; another one than before moves the workpiece against what was cut already. */
-  usePreset(n: number | null, what: string, index: number): void {
-    this.set({ datum: NO_SHIFT, unknownDatum: [], transform: NO_TRANSFORM });
-    if (n === null || (this.now.preset !== null && this.now.preset !== n)) this.log.leaveUnproved(what, index);
-    this.set({ preset: n });
   }
 
   /** A number that was worked out, or null with an issue at the block. */
@@ -267,18 +253,11 @@ export class Machine {
   }
 
   /** Adds one motion of the current tool outside the operations; `hole` is one that has to be there for it. */
-  step(
-    from: Pt,
-    move: Move,
-    index: number,
-    { isCompensated = false, hole = null }: { isCompensated?: boolean; hole?: NeededHole | null } = {},
-  ): void {
+  step(from: Pt, move: Move, index: number, given: GivenForStep = {}): void {
     const { tool } = this.now;
     if (!this.roomForMove(index) || !tool) return;
-    const feeds = move.kind !== "rapid";
-    const intent = feeds ? this.intentOf(this.blocks, index, isCompensated) : {};
-    const idle = feeds && !this.now.spun.told ? idleSpindle(this.now, this.log, tool) : null;
-    const needed = feeds ? (hole ?? holeOf(tool)) : null;
+    const intent = move.kind === "rapid" ? {} : this.intentOf(this.blocks, index, given.isCompensated ?? false);
+    const asks = move.kind === "rapid" ? {} : demands(this.now, this.log, tool, given.hole ?? null);
     const motion = {
       from,
       move,
@@ -287,8 +266,7 @@ export class Machine {
       operation: null,
       ...intent,
       ...this.log.lineOf(index),
-      ...(idle && { idle }),
-      ...(needed && { hole: needed }),
+      ...asks,
     };
     this.take(timed([stepOf(motion, this.spindle, this.clock.rapid)]), index);
   }

@@ -132,7 +132,9 @@ export interface Modal {
   readonly backwards: boolean;
   /** How it turned at the last motion since it was started. */
   readonly runsAs: SpindleTurns | null;
-  /** The block that started or stopped it last, null before any; how much was left unproved then; and whether a cut has been blamed since. */
+  /**
+   * The block that started or stopped it last, null before any; how much was left unproved then; and whether a cut has been blamed since.
+   */
   readonly spun: { readonly index: number | null; readonly unproved: number; readonly told: boolean };
   /** A speed that is none of turning: of TOOL CALL, which counts for a drill in the tool spindle, or one whose fault has been told. */
   readonly speedElsewhere: "toolCall" | "told" | null;

@@ -1,5 +1,5 @@
-import { isDrill } from "../kernel/drill.ts";
-import type { Idle } from "../kernel/step.ts";
+import { holeOf, isDrill } from "../kernel/drill.ts";
+import type { Idle, NeededHole } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { Modal } from "./modal.ts";
 
@@ -26,4 +26,22 @@ export function idleSpindle(now: Modal, { unproved, numbers }: Known, tool: Tool
   if (stands) return { how: "stopped", by };
   const wanted = cutsBackwards(now, tool);
   return turns && wanted !== undefined && wanted !== backwards ? { how: "hand", by } : null;
+}
+
+/** What is known of a motion beside its way: it is compensated, or a hole has to be there for it. */
+export interface GivenForStep {
+  readonly isCompensated?: boolean;
+  readonly hole?: NeededHole | null;
+}
+
+/** What a feed move asks of spindle and stock; a spindle that has been told is not told again. */
+export function demands(
+  now: Modal,
+  known: Known,
+  tool: Tool,
+  hole: NeededHole | null,
+): { readonly idle?: Idle; readonly hole?: NeededHole } {
+  const idle = now.spun.told ? null : idleSpindle(now, known, tool);
+  const needed = hole ?? holeOf(tool);
+  return { ...(idle && { idle }), ...(needed && { hole: needed }) };
 }

@@ -1,17 +1,19 @@
 import { cycleByNumber } from "../cycles/index.ts";
 import type { CycleParameter } from "../nc/statement.ts";
 import { NUMBER_PARAMETER, PARAMETER, readValue, VALUE } from "../nc/value.ts";
+import { NO_TRANSFORM } from "./coordinates-frame.ts";
 import { dwellFunction, dwellLine, DWELL_CYCLE } from "./dwell.ts";
 import type { Machine } from "./machine.ts";
+import { NO_SHIFT } from "./modal.ts";
 
 /**
  * Blocks that nobody here reads and that leave path and stock as they are: messages, tables, strings, feeds that only
  * breathe, functions that count or log.
  */
 const HARMLESS = new RegExp(
-  String
-    .raw`^(?:FN[ \t]*(?:1[4569]|2[0679]|3[789])[ \t]*:|FUNCTION[ \t]+(?:TCPM|RESET|FEED|S-PULSE|COUNT|DWELL|DCM|FILE|AFC|LIFTOFF|CORRDATA[ \t]+RESET|TURNDATA[ \t]+CORR[ \t]+OFF)|`
-    + String.raw`AFC|LIFTOFF|SECTION[ \t]+MONITORING|CORRDATA[ \t]+RESET|DECLARE|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|`
+  String.raw`^(?:FN[ \t]*(?:1[4569]|2[0679]|3[789])[ \t]*:|FUNCTION[ \t]+(?:TCPM|RESET|FEED|S-PULSE|COUNT|DWELL|DCM|FILE|AFC|LIFTOFF|`
+    + String.raw`SECTION[ \t]+MONITORING|CORRDATA[ \t]+RESET|TURNDATA[ \t]+CORR[ \t]+OFF)|AFC|LIFTOFF|SECTION[ \t]+MONITORING|`
+    + String.raw`CORRDATA[ \t]+RESET|DECLARE|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|`
     + String.raw`POLARKIN[ \t]+OFF|MONITORING|STOP|PLANE[ \t]+RESET)`,
   "i",
 );
@@ -86,6 +88,13 @@ export function actingLine(
   if (line > 0 && cycle === WORKING_PLANE && changes(machine, text, 0, index)) machine.log.leaveUnproved(`CYCL DEF ${cycle}`, index);
 }
 
+/** A preset takes shift, mirror, rotation and scale back; another one than before moves the workpiece against what was cut already. */
+function usePreset(machine: Machine, n: number | null, what: string, index: number): void {
+  machine.set({ datum: NO_SHIFT, unknownDatum: [], transform: NO_TRANSFORM });
+  if (n === null || (machine.now.preset !== null && machine.now.preset !== n)) machine.log.leaveUnproved(what, index);
+  machine.set({ preset: n });
+}
+
 /** A cycle of Q parameters that acts where it is defined: nothing is proved behind it when it changes the coordinates. */
 export function actingCycle(machine: Machine, cycle: number, parameters: readonly CycleParameter[], index: number): void {
   const number = (q: string) => {
@@ -93,7 +102,7 @@ export function actingCycle(machine: Machine, cycle: number, parameters: readonl
     return value === undefined || value === null || typeof value === "string" ? undefined : machine.number(value, index);
   };
   const what = `CYCL DEF ${cycle}`;
-  if (cycle === PRESET) return machine.usePreset(number("Q339") ?? null, what, index);
+  if (cycle === PRESET) return usePreset(machine, number("Q339") ?? null, what, index);
   const neutral = Object.entries(cycleByNumber(cycle)?.acts?.neutral ?? {});
   const moves = neutral.some(([q, values]) => {
     const n = number(q);

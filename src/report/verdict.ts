@@ -21,7 +21,7 @@ export type VerdictReason =
   | { readonly kind: "noOperation"; readonly block: null }
   /** Path and stock are proved, and yet it is hardly what is wanted. */
   | { readonly kind: "notes"; readonly block: number | null; readonly notes: readonly VerdictNote[] }
-  /** The verdict stands, but nobody has looked at the holder of this tool, at the flanks of its insert, or at the curvature of its blade. */
+  /** The verdict stands, but nobody has looked at the holder of this tool, the flanks of its insert, or the curvature of its blade. */
   | { readonly kind: "holderUnknown" | "flanksUnknown" | "curvatureUnknown"; readonly block: number; readonly tool: number;
     readonly name: string };
 

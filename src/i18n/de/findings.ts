@@ -66,7 +66,8 @@ export const findings = {
       holderUnknown: (tools) => `Der Halter von Werkzeug ${tools} wurde nicht geprüft: Die Tabelle beschreibt keinen.`,
       flanksUnknown: (tools) => `Die Flanken von Werkzeug ${tools} wurden nicht geprüft: T-ANGLE oder P-ANGLE ist leer.`,
       curvatureUnknown: (tools) =>
-        `Die Krümmung des Stechers von Werkzeug ${tools} wurde nicht geprüft: Ein Axialstecher passt nur in einen Durchmesserbereich, und die Tabelle nennt keinen.`,
+        `Die Krümmung des Stechers von Werkzeug ${tools} wurde nicht geprüft: Ein Axialstecher `
+        + `passt nur in einen Durchmesserbereich, und die Tabelle nennt keinen.`,
     },
   },
   leaving: {

@@ -66,7 +66,8 @@ export const findings = {
       holderUnknown: (tools: string) => `The holder was not checked for tool ${tools}: the table describes none.`,
       flanksUnknown: (tools: string) => `The flanks were not checked for tool ${tools}: T-ANGLE or P-ANGLE is empty.`,
       curvatureUnknown: (tools: string) =>
-        `The curvature of the blade was not checked for tool ${tools}: a blade that plunges along Z fits a range of diameters only, and the table states none.`,
+        `The curvature of the blade was not checked for tool ${tools}: a blade that plunges along `
+        + `Z fits a range of diameters only, and the table states none.`,
     },
   },
   leaving: {

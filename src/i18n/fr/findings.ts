@@ -66,7 +66,8 @@ export const findings = {
       holderUnknown: (tools) => `Le porte-outil n’a pas été contrôlé pour l’outil ${tools} : le tableau n’en décrit aucun.`,
       flanksUnknown: (tools) => `Les flancs n’ont pas été contrôlés pour l’outil ${tools} : T-ANGLE ou P-ANGLE est vide.`,
       curvatureUnknown: (tools) =>
-        `La courbure de la lame n’a pas été contrôlée pour l’outil ${tools} : une lame frontale ne convient qu’à une plage de diamètres, et le tableau n’en indique aucune.`,
+        `La courbure de la lame n’a pas été contrôlée pour l’outil ${tools} : une lame frontale ne `
+        + `convient qu’à une plage de diamètres, et le tableau n’en indique aucune.`,
     },
   },
   leaving: {

@@ -6,7 +6,8 @@ const RULES = {
   zeroBehindCorner: (word: string) =>
     `Dieser Satz hinter ${word} bewegt nichts: Mit einem Element der Länge 0 kann die Steuerung keine Ecke runden oder fasen.`,
   emptyCentre: (word: string) =>
-    `${word} ohne Koordinaten übernimmt den letzten Punkt, der Satz davor nennt aber nur eine Achse: dort oder in ${word} beide Koordinaten programmieren.`,
+    `${word} ohne Koordinaten übernimmt den letzten Punkt, der Satz davor nennt aber nur eine `
+    + `Achse: dort oder in ${word} beide Koordinaten programmieren.`,
   sideOnArc: (word: string) =>
     `Die Radiuskorrektur darf nicht auf einem Kreisbogen beginnen (${word}): RL oder RR in einem Geradensatz davor programmieren.`,
   toolCallCompensated: (word: string) => `Bei diesem TOOL CALL ist ${word} aktiv: Die Steuerung lehnt ihn ab. Vorher R0 programmieren.`,

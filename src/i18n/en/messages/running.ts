@@ -5,7 +5,8 @@ const RULES = {
   zeroBehindCorner: (word: string) =>
     `This block behind ${word} moves nowhere: the control can not round or break a corner with an element of length 0.`,
   emptyCentre: (word: string) =>
-    `${word} without coordinates takes the last point, and the block before names one axis only: program both coordinates in it or in ${word}.`,
+    `${word} without coordinates takes the last point, and the block before names one axis `
+    + `only: program both coordinates in it or in ${word}.`,
   sideOnArc: (word: string) => `Radius compensation can not begin on an arc (${word}): program RL or RR in a straight block before it.`,
   toolCallCompensated: (word: string) => `${word} is active at this TOOL CALL: the control refuses it. Program R0 before.`,
 };

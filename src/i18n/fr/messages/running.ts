@@ -5,7 +5,8 @@ const RULES = {
   zeroBehindCorner: (word: string) =>
     `Cette séquence après ${word} ne déplace rien : la commande ne peut ni arrondir ni chanfreiner un angle avec un élément de longueur 0.`,
   emptyCentre: (word: string) =>
-    `${word} sans coordonnées reprend le dernier point, mais la séquence précédente ne nomme qu’un axe : y programmer les deux coordonnées, ou dans ${word}.`,
+    `${word} sans coordonnées reprend le dernier point, mais la séquence précédente ne nomme `
+    + `qu’un axe : y programmer les deux coordonnées, ou dans ${word}.`,
   sideOnArc: (word: string) =>
     `La correction de rayon ne peut pas commencer sur un arc (${word}) : programmer RL ou RR dans une séquence droite avant celui-ci.`,
   toolCallCompensated: (word: string) => `${word} est actif à ce TOOL CALL : la commande le refuse. Programmer R0 avant.`,
