@@ -156,7 +156,7 @@ export function callCycle(machine: Machine, index: number): void {
   const { places, contour, told } = cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : OWN_CONTOUR;
   const tool = machine.now.tool ?? standIn(machine, cycle, defined.values, contour, start, index);
   if (!tool) return;
-  mustTurn(machine, tool, index, operation);
+  mustTurn(machine, tool, index, { operation });
   offCentre(machine, index);
   const standing = { stock: stockAtCall(machine), solid: solidAtCall(machine) };
   const answer = answerTo(machine, { cycle, defined, contour, told, start, tool, ...standing });

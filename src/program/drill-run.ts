@@ -58,7 +58,8 @@ export function drillOnAxis(machine: Machine, defined: Defined, index: number): 
   const path = bore && drillPath(defined.cycle, q, bore);
   if (!bore || !path) return false;
   judge(machine, { defined, tool, bore, q }, index);
-  mustTurn(machine, tool, index);
+  // The sign of the pitch is the hand of the thread.
+  mustTurn(machine, tool, index, { leftHand: q("Q239") === 0 ? undefined : q("Q239") < 0 });
   offCentre(machine, index);
   perform(machine, { defined, path, hole: holeBefore(defined.cycle, tool, q) }, tip, index);
   return true;

@@ -160,6 +160,18 @@ describe("drilling on the axis while turning", () => {
     expect(codes(program(drilling.replace("Q201=-33", "Q201=-43.5")))).toEqual(["drillTooShort"]);
     expect(codes(program(drilling.replace("Q206=130", "Q206=0")))).toEqual(["feedZero"]);
   });
+  test.each([["M3", "+1.25", []], ["M4", "-1.25", []], ["M4", "+1.25", ["hand"]], ["M3", "-1.25", ["hand"]], ["M5", "+1.25", ["stopped"]]])(
+    "%s and a pitch of %s: the sign is the hand of the thread",
+    (start, pitch, how) => {
+      const tapping = cycle(207, "RIGID TAPPING", { Q200: 5, Q201: -12, Q239: pitch, Q203: 0, Q204: 20 });
+      const done = run(parse(program(tapping, { tool: 43 }).replace(" M3\n", ` ${start}\n`)), {
+        tools: shippedTools,
+        mills,
+        rapid: 10_000,
+      });
+      expect(done.issues.flatMap(({ issue }) => (issue.code === "spindleStopped" ? [issue.data.how] : []))).toEqual(how);
+    },
+  );
   test("one that is never called is said", () => {
     const text = program(drilling);
     expect(codes(text.replace("CYCL CALL\n", ""))).toEqual(["cycleNeverCalled"]);

@@ -34,9 +34,15 @@ export function stoppedBy(machine: Machine, { functions }: Words, index: number)
   machine.set({ turns: false, runsAs: null, spun: turns || spun.index === null ? spunAt(machine, index) : spun });
 }
 
+/** A cycle that is called: its operation, and whether its thread is a left-hand one, where it says so. */
+interface Called {
+  readonly operation?: number;
+  readonly leftHand?: boolean | undefined;
+}
+
 /** A cycle is called: it is blamed itself, and what is cut behind it in the same state is not blamed again. */
-export function mustTurn(machine: Machine, tool: Tool, index: number, operation: number | null = null): void {
-  const idle = idleSpindle(machine.now, machine.log, tool);
+export function mustTurn(machine: Machine, tool: Tool, index: number, { operation, leftHand }: Called = {}): void {
+  const idle = idleSpindle(machine.now, machine.log, tool, leftHand);
   if (!idle) {
     const { ways, backwards, turns } = machine.now;
     if (turns && !isDrill(tool) && !ways.has(tool.T)) machine.set({ ways: new Map([...ways, [tool.T, backwards]]) });
@@ -44,5 +50,5 @@ export function mustTurn(machine: Machine, tool: Tool, index: number, operation:
   }
   machine.set({ spun: { ...machine.now.spun, told: true } });
   const { how, by } = idle;
-  machine.log.say(issue("spindleStopped", "error", { how, ...(by !== null && { block: by }) }), index, 0, operation);
+  machine.log.say(issue("spindleStopped", "error", { how, ...(by !== null && { block: by }) }), index, 0, operation ?? null);
 }

@@ -3,8 +3,12 @@ import type { Idle, NeededHole } from "../kernel/step.ts";
 import type { Tool } from "../kernel/tool.ts";
 import type { Modal } from "./modal.ts";
 
-/** A right-hand drill cuts forwards only; any other edge the way in which it has cut before. */
-const cutsBackwards = ({ ways }: Modal, tool: Tool): boolean | undefined => (isDrill(tool) ? false : ways.get(tool.T));
+/**
+ * Whether a tool cuts backwards; undefined where nobody knows. A drill cuts forwards, any other edge the way in which it has cut before.
+ * A tap may be a left-hand one, and leaves its thread with the spindle turning back.
+ */
+const cutsBackwards = ({ ways }: Modal, tool: Tool): boolean | undefined =>
+  isDrill(tool) ? (tool.TYPE === "TAP" ? undefined : false) : ways.get(tool.T);
 
 /** What a run knows beside what is in force: how much it has left unproved so far, and the number of each block. */
 interface Known {
@@ -14,9 +18,9 @@ interface Known {
 
 /**
  * Why the spindle surely does not turn as a cut with a tool needs it; null where it does. Silent where blocks came before that nobody
- * here knows: any of them may have started the spindle, or set a speed.
+ * here knows: any of them may have started the spindle, or set a speed. `wanted`: whether the cut needs it backwards, as its cycle says.
  */
-export function idleSpindle(now: Modal, { unproved, numbers }: Known, tool: Tool): Idle | null {
+export function idleSpindle(now: Modal, { unproved, numbers }: Known, tool: Tool, wanted = cutsBackwards(now, tool)): Idle | null {
   const { mode, spindle, turns, backwards, spun, speedElsewhere } = now;
   if (mode !== "TURN") return null;
   const by = spun.index === null ? null : (numbers[spun.index] ?? null);
@@ -24,7 +28,6 @@ export function idleSpindle(now: Modal, { unproved, numbers }: Known, tool: Tool
   const hasSpeed = spindle || speedElsewhere === "told" || (speedElsewhere === "toolCall" && isDrill(tool));
   if (!hasSpeed && unproved.length === 0 && (by === null || !stands)) return { how: "noSpeed", by: null };
   if (stands) return { how: "stopped", by };
-  const wanted = cutsBackwards(now, tool);
   return turns && wanted !== undefined && wanted !== backwards ? { how: "hand", by } : null;
 }
 
