@@ -1,4 +1,4 @@
-import { expect, test } from "vitest";
+import { describe, expect, test } from "vitest";
 import { parse } from "../nc/parse.ts";
 import { simulate } from "../sim/simulate.ts";
 import { length, toDiameter } from "../kernel/units.ts";
@@ -29,6 +29,40 @@ test("a correction holds the insert off the programmed tip, adds up over both sy
 test("a correction needs a tool, and its words a value", () => {
   expect(cut("FUNCTION MODE TURN", "FUNCTION TURNDATA CORR-TCS:Z/X DZL:0.1").codes).toContain("noToolCalled");
   expect(cut(...frame, "FUNCTION TURNDATA CORR-TCS:Z/X DZL:Q5").codes).toContain("parameterUnset");
+});
+
+test.each([["FUNCTION TURNDATA CORR OFF", 40], ["FUNCTION CORRDATA RESET #TCS", 40], ["CORRDATA RESET", 40], [
+  "FUNCTION CORRDATA RESET #WPL",
+  40.5,
+]])("%s takes the correction of its system back and moves no axis", (reset, left) => {
+  const { done, has } = cut(...frame, "FUNCTION TURNDATA CORR-TCS:Z/X DXL:0.25", reset, "L X+40 Z+2 R0 FMAX M303", "L Z-20 F0.2", "L X+52");
+  expect(has(left, -19.6)).toBe(true);
+  expect(done.unproved).toEqual([]);
+});
+
+describe("an index of a tool", () => {
+  const indexed = { ...shippedTools[2] as (typeof shippedTools)[number], T: 3.1 };
+  const mills = [{ T: 20, NAME: "END10", R: 5, DR: 0 }];
+  const told = (call: string, mode = "TURN", before = "") =>
+    run(parse(lines("BLK FORM CYLINDER Z D50 L60 DIST+0", before, `FUNCTION MODE ${mode}`, call, "L X+60 Z+5 R0 FMAX")), {
+      tools: [...shippedTools, indexed],
+      mills,
+      rapid: 10_000,
+    }).issues.flatMap<unknown>(({ issue }) =>
+      issue.code === "toolIndexUnknown" ? [issue.data] : issue.code === "toolUnknown" ? [issue.code] : []
+    );
+  test("is a row of its own", () => {
+    expect(told("TOOL CALL 3.1")).toEqual([]);
+    expect(told("TOOL CALL 3.2")).toEqual([{ tool: "3.2", rows: ["3", "3.1"] }]);
+    expect(told("TOOL CALL 77.2")).toEqual([{ tool: "77.2", rows: [] }]);
+    expect(told("TOOL CALL 77")).toEqual(["toolUnknown"]);
+  });
+  test("of a mill is told where the tables have that tool; one that they do not have is the machine's own", () => {
+    expect(told("TOOL CALL 20.1", "MILL")).toEqual([{ tool: "20.1", rows: ["20"] }]);
+    expect(told("TOOL CALL 20", "MILL")).toEqual([]);
+    expect(told("TOOL CALL 77.1", "MILL")).toEqual([]);
+    expect(told("TOOL CALL 20.1", "MILL", "TOOL DEF 20.1 L+0 R+4")).toEqual([]);
+  });
 });
 
 test("DYL lies off the turning plane: kept, and not proved where it is not 0", () => {

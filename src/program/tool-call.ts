@@ -2,7 +2,7 @@ import type { Tool } from "../kernel/tool.ts";
 import { degrees, length } from "../kernel/units.ts";
 import type { Parameter, Statement, StatementOf } from "../nc/statement.ts";
 import { breaksRule } from "./control-rule.ts";
-import { programIssue, type ProgramIssue } from "./issue.ts";
+import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import type { Modal } from "./modal.ts";
 import type { Mill } from "./plane-types.ts";
@@ -56,7 +56,7 @@ function unknownTool(machine: Machine): void {
 
 function takeMill(machine: Machine, s: StatementOf<"toolCall">, wanted: number | string, index: number): void {
   const { radii, shop } = machine;
-  const row = shop.mills?.find((m) => m.T === wanted || m.NAME === wanted);
+  const row = find(shop.mills ?? [], wanted);
   const radius = radii.get(wanted) ?? (row ? row.R + (row.DR ?? 0) : null);
   const delta = s.deltaRadius === null ? 0 : (machine.number(s.deltaRadius, index) ?? 0);
   const own = radius === null ? null : Math.max(0, radius + machine.length(delta));
@@ -71,8 +71,7 @@ function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
   machine.setPlace({ sure: { x: false, z: false }, brought: null, home: null, last: null });
   machine.set({ compensation: "R0", tool: tool ? asBefore(machine, tool) : null, toolRefused: !tool, corrections: {} });
   if (refused && typeof wanted === "number") { for (const i of refused) machine.log.say(i, index); }
-  else if (!tool && (machine.now.turning || turnsLater(machine, index)))
-    machine.log.say(unknown(machine, wanted), index);
+  else if (!tool) notInTable(machine, wanted, index);
   if (tool && ((tool.DZL ?? 0) !== 0 || (tool.DXL ?? 0) !== 0))
     machine.log.say(programIssue("lengthDelta", "info", { tool: tool.T }, "tool"), index);
   // Off the plane that is turned in: the edge may stand above or below the axis.
@@ -81,13 +80,27 @@ function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
   if (deltas && tool && machine.now.turning) machine.log.leaveUnproved("DL DR", index);
 }
 
-/** The table has no such row: of a tool with an index, the rows that it has of that tool. */
-function unknown({ shop }: Machine, wanted: number | string): ProgramIssue {
-  const tool = String(wanted);
-  if (typeof wanted === "string" || Number.isInteger(wanted)) return programIssue("toolUnknown", "error", { tool }, "tool");
+/** Rows of the tables that a tool has, whatever their index. */
+function rowsOf({ shop }: Machine, wanted: number): readonly number[] {
   const numbers = [...shop.tools, ...(shop.mills ?? [])].map(({ T }) => T).concat([...(shop.refused?.keys() ?? [])]);
-  const rows = numbers.filter((T) => Math.floor(T) === Math.floor(wanted)).sort((a, b) => a - b).map(String);
-  return programIssue("toolIndexUnknown", "error", { tool, rows }, "tool");
+  return numbers.filter((T) => Math.floor(T) === Math.floor(wanted)).sort((a, b) => a - b);
+}
+
+/**
+ * No turning tool and no drill: of a tool with an index, the rows that the tables have of that tool. A mill that no table has may be of
+ * the machine's own, but not one of a tool that is there.
+ */
+function notInTable(machine: Machine, wanted: number | string, index: number): void {
+  const tool = String(wanted);
+  const turns = machine.now.turning || turnsLater(machine, index);
+  if (typeof wanted === "string" || Number.isInteger(wanted)) {
+    if (turns) machine.log.say(programIssue("toolUnknown", "error", { tool }, "tool"), index);
+    return;
+  }
+  const rows = rowsOf(machine, wanted);
+  const isMill = find(machine.shop.mills ?? [], wanted) !== undefined || machine.radii.has(wanted);
+  if (turns || (rows.length > 0 && !isMill))
+    machine.log.say(programIssue("toolIndexUnknown", "error", { tool, rows: rows.map(String) }, "tool"), index);
 }
 
 /** The same tool as in the run before is the same object. */
@@ -154,6 +167,14 @@ function corrected(tool: Tool, corrections: Modal["corrections"]): Tool {
   const { correction: _, ...bare } = tool;
   const sum = plus(corrections.TCS ?? NONE, corrections.WPL ?? NONE);
   return sum.z === 0 && sum.r === 0 ? bare : { ...bare, correction: sum };
+}
+
+/** FUNCTION TURNDATA CORR OFF and CORRDATA RESET: the tool as the table has it, in one system or in both. */
+export function uncorrectTool(machine: Machine, system?: keyof Modal["corrections"]): void {
+  const { tool, corrections } = machine.now;
+  const { [system ?? "TCS"]: _, ...kept } = corrections;
+  machine.set({ corrections: system ? kept : {} });
+  if (tool) machine.set({ tool: asBefore(machine, corrected(tool, machine.now.corrections)) });
 }
 
 /**

@@ -5,6 +5,7 @@ import { NO_TRANSFORM } from "./coordinates-frame.ts";
 import { dwellFunction, dwellLine, DWELL_CYCLE } from "./dwell.ts";
 import type { Machine } from "./machine.ts";
 import { NO_SHIFT } from "./modal.ts";
+import { uncorrectTool } from "./tool-call.ts";
 
 /**
  * Blocks that nobody here reads and that leave path and stock as they are: messages, tables, strings, feeds that only
@@ -12,11 +13,13 @@ import { NO_SHIFT } from "./modal.ts";
  */
 const HARMLESS = new RegExp(
   String.raw`^(?:FN[ \t]*(?:1[4569]|2[0679]|3[789])[ \t]*:|FUNCTION[ \t]+(?:TCPM|RESET|FEED|S-PULSE|COUNT|DWELL|DCM|FILE|AFC|LIFTOFF|`
-    + String.raw`SECTION[ \t]+MONITORING|CORRDATA[ \t]+RESET|TURNDATA[ \t]+CORR[ \t]+OFF)|AFC|LIFTOFF|SECTION[ \t]+MONITORING|`
-    + String.raw`CORRDATA[ \t]+RESET|DECLARE|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|`
+    + String.raw`SECTION[ \t]+MONITORING)|AFC|LIFTOFF|SECTION[ \t]+MONITORING|`
+    + String.raw`DECLARE|OPEN|CLOSE|SEL[ \t]+(?:TABLE|CORR-TABLE)|PATTERN[ \t]+DEF|`
     + String.raw`POLARKIN[ \t]+OFF|MONITORING|STOP|PLANE[ \t]+RESET)`,
   "i",
 );
+/** Takes the corrections of the tool back, in one system or in both, and moves no axis. */
+const UNCORRECTING = /^(?:FUNCTION[ \t]+)?(?:TURNDATA[ \t]+CORR[ \t]+OFF|CORRDATA[ \t]+RESET)\b(?:.*?(TCS|WPL))?/i;
 /** FN 18 and FN 28 only read a value into a parameter. */
 const READING = new RegExp(String.raw`^FN[ \t]*(?:18|28)[ \t]*:[^=]*?(${NUMBER_PARAMETER})`, "i");
 /** Programs that run on their own leave the tool wherever they end, and so do probes. */
@@ -64,6 +67,8 @@ export function textBlock(machine: Machine, text: string, index: number): void {
   const assigned = UNREAD_ASSIGNMENT.exec(text)?.[1];
   if (assigned !== undefined) return machine.known.forget(assigned.toUpperCase());
   if (HARMLESS.test(text)) return dwellFunction(machine, text, index);
+  const reset = UNCORRECTING.exec(text);
+  if (reset) return uncorrectTool(machine, reset[1]?.toUpperCase() as "TCS" | "WPL" | undefined);
   const read = READING.exec(text)?.[1];
   if (read !== undefined) return machine.known.forget(read.toUpperCase());
   if (/^PLANE[ \t]/i.test(text) && !changes(machine, text, 0, index, /^(?!(?:MB|F|DIST)$)/i)) return;
