@@ -192,10 +192,10 @@ describe("rules of the shop", () => {
   });
 
   test("clean: warnings count where they are asked for", () => {
-    // No M303: the spindle may stand still, which is a warning of the cycle.
+    // No M303: the spindle stands still, which is an error with or without the rule.
     const still = called().replace(" M303", "");
-    expect(refuses({}, still)).toEqual([]);
-    expect(refuses({ clean: true }, still)).toEqual(["clean"]);
+    expect(refuses({}, still)).toEqual(["errors"]);
+    expect(refuses({ clean: true }, still)).toEqual(["errors"]);
     // What its nose leaves in a corner without a radius is no warning, with a part to hold it to or without one.
     expect(refuses({ clean: true }, called())).toEqual([]);
     expect(refusedBy(judged({ ...withRules({ clean: true }), part: undefined }, called()))).toEqual([]);

@@ -160,6 +160,10 @@ const floorsAreReached: PlanLaw = (cycle, s, plan) => {
   if (plan.issues.some((i) => i.severity === "error") || says(plan, "recessNarrowerThanTool", "depthOverCutLength")) return null;
   const height = heightIn(plan);
   const floor = Math.min(...plan.contour.map((e) => height(e.to))) + keptOn(s, plan);
+  // Narrower than the blade by what is still closed, it is reached where nothing breaks its mouth.
+  const bottom = plan.contour.flatMap((e) => [e.from, e.to]).filter((p) => height(p) < floor - keptOn(s, plan) + SAME);
+  const along = bottom.map((p) => (plan.openSide.z === 0 ? p.z : p.r));
+  if (Math.max(...along) - Math.min(...along) < (s.tool.CUTWIDTH ?? 0) + (s.tool.DCW ?? 0) - SAME / 10) return null;
   if (floor > Math.max(...plan.contour.map((e) => height(e.to))) - SAME) return null;
   const deepest = Math.min(...plan.moves.flatMap((m) => (m.phase === "rough" ? [height(m.to)] : [])));
   return Math.abs(deepest - floor) > 3 * SAME ? `roughed down to ${deepest} where the floor with its oversize is ${floor}` : null;
@@ -178,10 +182,12 @@ const cutLengthCountsInMaterial: PlanLaw = (cycle, s, plan) => {
 const recessesAreLeftAsPrinted: PlanLaw = (cycle, s, plan) => {
   if (!isRecess(cycle) || failed(plan)) return null;
   const height = heightIn(plan);
+  // From within the blank the tool has to leave it first.
+  if (s.blank.flat().some((p) => height(p) > height(s.start) + SAME)) return null;
   // A contour that keeps its oversize is as much higher.
   const over = s.values["Q215"] === 3 ? keptOn(s, plan) : 0;
   const top = Math.max(height(s.start), ...part.flattenedChain(plan.contour, SAME / 10).map((p) => height(p) + over));
-  const higher = plan.moves.find((m) => m.kind !== "arc" && height(m.to) > top + SAME);
+  const higher = plan.moves.find((m) => m.kind !== "arc" && height(m.to) > top + 2 * SAME);
   if (higher) return `up to ${height(higher.to)} where the start point stands at ${top}`;
   const last = plan.moves.at(-1);
   return last?.phase === "position" && last.kind !== "rapid" ? `back to the start point by ${last.kind}` : null;
