@@ -24,5 +24,5 @@ function keep(machine: Machine, target: string, result: number | string | Troubl
 }
 
 /** The name that a block gives a file; null when it hangs on a parameter that holds none. */
-export const fileNameOf = (machine: Machine, file: FileName, index: number): string | null =>
+export const writtenFile = (machine: Machine, file: FileName, index: number): string | null =>
   typeof file === "object" ? machine.text(file.parameter, index) : file;

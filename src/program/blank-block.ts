@@ -1,4 +1,4 @@
-import { fileNameOf } from "./assign.ts";
+import { writtenFile } from "./assign.ts";
 import type { Cuboid } from "../kernel/box.ts";
 import { difference } from "../kernel/clip.ts";
 import { issue } from "../kernel/issue.ts";
@@ -111,7 +111,7 @@ function unread(machine: Machine, form: string, index: number): void {
 
 /** The name of a file that was not opened with the program, which is told; null for one that was, or whose name nobody knows. */
 function notAtHand(machine: Machine, named: FileName, index: number): string | null {
-  const file = fileNameOf(machine, named, index);
+  const file = writtenFile(machine, named, index);
   if (file === null || machine.unitOfFile(file, index)) return null;
   machine.log.say(programIssue("programNotOpened", "info", { file }), index);
   return file;
@@ -169,7 +169,7 @@ function outlined(
 ): Outlined {
   if ("label" in from) return behindLabel(machine, from.label, radii, index);
   const missing = notAtHand(machine, from.file, index);
-  const file = missing === null ? fileNameOf(machine, from.file, index) : null;
+  const file = missing === null ? writtenFile(machine, from.file, index) : null;
   const unit = file === null ? null : machine.unitOfFile(file, index);
   if (unit) return behind(machine, { unit, label: null }, radii, index);
   machine.log.leaveUnproved(missing === null ? what : `${what} "${missing}"`, index);
@@ -178,7 +178,7 @@ function outlined(
 
 /** Where an outline stands, as a program spells it. */
 function sourceName(machine: Machine, from: OutlineSource, index: number): string {
-  if ("file" in from) return `"${fileNameOf(machine, from.file, index) ?? ""}"`;
+  if ("file" in from) return `"${writtenFile(machine, from.file, index) ?? ""}"`;
   return `LBL ${typeof from.label === "number" ? from.label : `"${from.label}"`}`;
 }
 

@@ -1,4 +1,4 @@
-import { fileNameOf } from "./assign.ts";
+import { writtenFile } from "./assign.ts";
 import type { FileName, OutlinePlace, StatementOf } from "../nc/statement.ts";
 import { assign, assignText } from "./assign.ts";
 import { contourLabels } from "./contour-names.ts";
@@ -12,7 +12,7 @@ type Found = ContourSource | { readonly missing: string } | JoinedContours | nul
 /** Where an outline stands; null when a parameter that says so has no value. */
 function find(machine: Machine, from: OutlinePlace, unit: Unit, index: number): Found {
   if ("file" in from) {
-    const name = fileNameOf(machine, from.file, index);
+    const name = writtenFile(machine, from.file, index);
     if (name === null) return null;
     const file = machine.unitOfFile(name, index);
     return file ? { unit: file, label: null } : { missing: name };

@@ -1,4 +1,4 @@
-import { fileNameOf } from "./assign.ts";
+import { writtenFile } from "./assign.ts";
 import type { StatementOf } from "../nc/statement.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
@@ -25,11 +25,11 @@ export function callNamed(machine: Machine, name: string | null, what: string, i
 }
 
 export const callProgram = (machine: Machine, s: StatementOf<"callProgram">, index: number): void =>
-  callNamed(machine, fileNameOf(machine, s.file, index), "CALL PGM", index);
+  callNamed(machine, writtenFile(machine, s.file, index), "CALL PGM", index);
 
 /** SEL PGM: the name counts from here on, also one that nobody knows. */
 export const selectProgram = (machine: Machine, s: StatementOf<"selectProgram">, index: number): void =>
-  machine.set({ selectedProgram: { name: fileNameOf(machine, s.file, index) } });
+  machine.set({ selectedProgram: { name: writtenFile(machine, s.file, index) } });
 
 export function callSelected(machine: Machine, index: number): void {
   const selected = machine.now.selectedProgram;

@@ -190,7 +190,8 @@ const recessesAreLeftAsPrinted: PlanLaw = (cycle, s, plan) => {
   const higher = plan.moves.find((m) => m.kind !== "arc" && height(m.to) > top + 2 * SAME);
   if (higher) return `up to ${height(higher.to)} where the start point stands at ${top}`;
   const last = plan.moves.at(-1);
-  return last?.phase === "position" && last.kind !== "rapid" ? `back to the start point by ${last.kind}` : null;
+  const printed = cycle.contour === "own" && (cycle.number === 841 || cycle.number === 851 || cycle.number === 861 || cycle.number === 871);
+  return printed && last?.phase === "position" && last.kind !== "rapid" ? `back to the start point by ${last.kind}` : null;
 };
 
 /** A recess runs the same path in whatever blank; only an edge that is too short for its depth looks at it. */
