@@ -24,7 +24,7 @@ test.each<[string, ProofIssue[], string[]]>([
   ["of another operation it says nothing", [at(overruns, 0, 3), at(gouge, 1, 9)], ["threadOverruns", "gouge"]],
   ["on a loose piece nothing can be cut", [at(loose, 0, 3), at(nothing, 0), at(air, 0)], ["cutOnLoosePiece"]],
   ["beside it, another operation cuts nothing", [at(loose, 0, 3), at(nothing, 1)], ["cutOnLoosePiece", "nothingCut"]],
-  ["what stays beside passes in the air stays told", [at(air, 0), at(left, 0)], ["airPasses", "materialLeft"]],
+  ["residual material beside passes in the air is reported", [at(air, 0), at(left, 0)], ["airPasses", "materialLeft"]],
 ])("%s", (_, all, expected) => {
   expect(told(all)).toEqual(expected);
 });

@@ -25,18 +25,22 @@ export function rearOf(blank: readonly Ring[]): RearEnd | null {
 
 const ringsOf = (regions: readonly Region[]): Ring[] => regions.flatMap(({ outline, holes }) => [outline, ...holes]);
 
-/** What hangs together with the rear end, and what does not any more, before a step. */
-export interface Parted {
-  readonly step: number;
+/** What hangs together with the rear end, and what does not any more. */
+interface Apart {
   readonly held: readonly Ring[];
   readonly loose: readonly Region[];
+}
+
+/** The same, found before a step. */
+export interface Parted extends Apart {
+  readonly step: number;
 }
 
 /**
  * Parts a stock into what is held at its rear end and what is loose; null where all of it hangs together. Where nothing reaches the rear
  * end any more, the piece that reaches farthest back is held.
  */
-export function brokenApart(stock: readonly Ring[], rear: RearEnd, step: number): Parted | null {
+export function brokenApart(stock: readonly Ring[], rear: RearEnd): Apart | null {
   if (stock.filter((ring) => areaOfRing(ring) > 0).length < 2) return null;
   const regions = regionsOf(stock, 0);
   const back = ({ outline }: Region) => boxAround([outline]).left;
@@ -44,7 +48,7 @@ export function brokenApart(stock: readonly Ring[], rear: RearEnd, step: number)
   const isHeld = (region: Region) => back(region) <= farthest + SAME;
   const loose = regions.filter((region) => !isHeld(region));
   if (!loose.some(({ area }) => area >= REAL_AREA)) return null;
-  return { step, held: ringsOf(regions.filter(isHeld)), loose };
+  return { held: ringsOf(regions.filter(isHeld)), loose };
 }
 
 function shapeOf({ outline }: Region, held: readonly Ring[]): LooseShape {
@@ -122,7 +126,7 @@ export function holding(blank: readonly Ring[], before: readonly Parted[]): Hold
       return known.loose;
     },
     look(step, stock) {
-      const found = rear && brokenApart(stock, rear, step);
+      const apart = rear && brokenApart(stock, rear), found = apart && { step, ...apart };
       if (found) parted.push(found);
       return found;
     },

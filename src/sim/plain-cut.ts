@@ -1,7 +1,6 @@
 import { areaOf } from "../kernel/area.ts";
 import { boxAround, inBox } from "../kernel/box.ts";
 import { difference, intersection, isInside, offset } from "../kernel/clip.ts";
-import { isDrill } from "../kernel/drill.ts";
 import { hypotenuse } from "../kernel/geometry/vectors.ts";
 import { isBar, tipDirection } from "../kernel/insert.ts";
 import { at, part, type Pt, type Ring } from "../kernel/point.ts";
@@ -65,7 +64,7 @@ export function plainSince(steps: readonly Step[], index: number): number {
 /** A boring bar points away from the axis. */
 const bores = (tool: Tool): boolean => tipDirection(tool.TO).v > 0;
 /** Tools that make a shape by themselves. */
-const makesShape = (tool: Tool): boolean => isBar(tool) || tool.TYPE === "THREAD" || isDrill(tool) || bores(tool);
+const makesShape = (tool: Tool): boolean => isBar(tool) || tool.TYPE === "THREAD" || bores(tool);
 
 /** What a cut takes, and which faces are none of a surface for it. */
 interface Taking {
@@ -152,9 +151,9 @@ export function judgePlainCut(index: number, area: readonly Ring[], cut: Cutting
   if (!first) return null;
   const as = (kind: PlainCut["kind"]): PlainCut => ({ kind, below: first.operation });
   if (step.intent === "meant") return as("meant");
+  if (makesEnd(index, area, stock, beside)) return as("meant");
   const { insert } = outlines(step.tool);
   const [, last] = plainRun(steps, index);
-  if (makesEnd(index, area, stock, beside)) return as("meant");
   const end = (steps[last] as Step).move.to;
   const isOutside = () => real(intersection(stock, turned(insert.map((p) => at(p.z + end.z, p.r + end.r))))).length === 0;
   const isShape = step.intent === "compensated" || makesShape(step.tool) || isOutside();
@@ -178,7 +177,7 @@ function makesEnd(index: number, area: readonly Ring[], stock: readonly Ring[], 
     if (box.left < own.right + AGAINST && box.right > own.left - AGAINST) after.push(...rings);
   }
   const left = difference(stock, merged(after));
-  const held = (rear && brokenApart(left, rear, index)?.held) ?? left;
+  const held = (rear && brokenApart(left, rear)?.held) ?? left;
   const front = { left: own.left + AGAINST, right: Infinity, low: -Infinity, high: Infinity };
   return areaOf(real(inBox(held, front))) < REAL_AREA;
 }

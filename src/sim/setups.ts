@@ -6,8 +6,8 @@ import { contourSurfaces } from "./plain-cut.ts";
 import type { Residual, SimulatedOperation } from "./simulation.ts";
 
 /**
- * The work as it is held: what an outline that is stated later takes the place of is judged as it stood until then, and the contours
- * of before say nothing of what comes behind.
+ * Each set-up of the work. Where another blank is stated, the stock so far is judged by the operations so far, and the contours of the
+ * previous set-up no longer count.
  */
 export function setupsOf(
   operations: readonly SimulatedOperation[],

@@ -14,7 +14,7 @@ export function tracing(blank: readonly Ring[]): { add(step: Step): void; stock(
     add: (step) => cut.add(sweptBy(outlines(step.tool).insert, step)),
     stock() {
       const stock = cut.stock();
-      cut = cutting((rear && brokenApart(stock, rear, 0)?.held) ?? stock);
+      cut = cutting((rear && brokenApart(stock, rear)?.held) ?? stock);
       return cut.initial;
     },
   };

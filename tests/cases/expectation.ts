@@ -20,7 +20,7 @@ export interface Expected {
   readonly rapidInStock?: boolean;
   /** Most material that stays, mm². */
   readonly left?: number;
-  /** Reasons of what stays: one that must be there, and those that must not hold more than the area given. */
+  /** Reasons of residual material: one that must be there, and those that must not hold more than the area given. */
   readonly reason?: string;
   readonly noReason?: Readonly<Record<string, number>>;
   readonly unproved?: boolean;

@@ -226,7 +226,7 @@ const LIMIT = 0.2;
 const across = (along: "z" | "r", a: number, b: number, c: number, d: number): P[] =>
   [[a, c], [b, c], [b, d], [a, d]].map(([p = 0, q = 0]) => (along === "z" ? { z: p, r: q } : { z: q, r: p }));
 
-/** What stays on the axis of a face, mm² that are no matter, and the radius and the height within which it is looked for, mm. */
+/** A pip on the axis of a face: mm² that are no matter, and the radius and the height within which it is looked for, mm. */
 const [PIP, NEAR] = [0.01, 0.3];
 
 /** A face that ends on the axis or beyond it is clean: no pip stays on it. What an edge that leans leaves higher up hangs on nothing. */
