@@ -4,6 +4,7 @@ import { areaOf as polygonArea } from "../../src/kernel/area.ts";
 import { difference, intersection, offset } from "../../src/kernel/clip.ts";
 import { areaOutside } from "../../src/kernel/real-area.ts";
 import { at, part, type Segment } from "../../src/kernel/point.ts";
+import { cutEnds } from "../../src/sim/held.ts";
 import type { Simulation } from "../../src/sim/simulation.ts";
 import { areaOf, common, each, filled, grown, without, withoutCrumbs, type Field, type Grid } from "../judge/field.ts";
 import { heldIn } from "../judge/held.ts";
@@ -46,14 +47,18 @@ function behind(plan: Plan): P[] {
   return [...line, away(last), away(first)];
 }
 
+/** What no motion may cut: the part of the last operation. */
+function partOf(plans: readonly Plan[]): P[][] {
+  const last = plans.at(-1);
+  return last && last.contour.length > 0 ? [behind(last)] : [];
+}
+
 /** Plans, cuts and judges a situation. */
 export function worked(cycle: Cycle, situation: Situation, width = WIDTH): Worked {
   const operation = situation.values["Q215"] ?? 0;
   const plans = (operation >= 2 ? [1, operation] : [operation]).map((o, i) => planOf(cycle, doing(situation, o), i === 0));
-  const last = plans.at(-1) as Plan;
   const steps = stepsOf(plans, situation);
-  const part = last.contour.length > 0 ? [behind(last)] : [];
-  const verdicts = (["z", "r"] as const).map((along) => judge(situation.blank, steps, part, gridOver(situation.blank, along, width)));
+  const verdicts = (["z", "r"] as const).map((along) => judge(situation.blank, steps, partOf(plans), gridOver(situation.blank, along, width)));
   return { cycle, situation, plans, simulation: simulated(plans, situation), verdicts };
 }
 
@@ -124,12 +129,21 @@ const judgesAgreeOnLoose: CutLaw = (w) => {
   return loose > PIECE ? `${mm2(loose)} that hang on nothing are still there` : null;
 };
 
+/** What columns see that let go of loose pieces as cuts end: a way through where a piece was meets nothing. */
+function verdictsWithout({ situation, plans, simulation, verdicts }: Worked): readonly Verdict[] {
+  if (simulation.proof.loose.length === 0) return verdicts;
+  const steps = stepsOf(plans, situation);
+  const ends = (motion: number) => cutEnds(steps, motion + 1);
+  return verdicts.map(({ grid }) => judge(situation.blank, steps, partOf(plans), grid, ends));
+}
+
 /** A fault that one of them sees well above its resolution, the other sees too; unless it has said that it looks no further. */
 const judgesAgreeOnFaults: CutLaw = (w) => {
   const clear = 0.2;
   const { gouge, rapidInStock, unlooked } = w.simulation.proof;
   if (unlooked) return null;
-  const [g, r] = [most(w, (v) => sumOf(v, "gouge")), most(w, (v) => sumOf(v, "rapid"))];
+  const seen = verdictsWithout(w);
+  const [g, r] = (["gouge", "rapid"] as const).map((kind) => Math.max(...seen.map((v) => sumOf(v, kind)))) as [number, number];
   if (g > clear && !(gouge > 0)) return `only the columns see a gouge of ${mm2(g)}`;
   if (r > clear && !(rapidInStock > 0)) return `only the columns see a rapid in stock of ${mm2(r)}`;
   return null;
@@ -140,7 +154,8 @@ const judgesAgreeOnResidue: CutLaw = (w) => {
   const area = w.plans.at(-1)?.area ?? [];
   const above = w.plans.at(-1)?.thread?.above;
   if (area.length < 3 || w.plans.length > 1 || w.plans[0]?.moves.length === 0) return null;
-  const rings = w.simulation.proof.residual.map((r) => r.ring);
+  // What came loose lies nowhere, though the columns keep it where it was.
+  const rings = [...w.simulation.proof.residual.map((r) => r.ring), ...looseOf(w)];
   for (const { grid, final } of w.verdicts) {
     const left = each(final, filled(grid, above ? [area, above] : [area], true), (a, b) => without(a, without(a, b)));
     // What is thinner or smaller than the simulation looks at is left out on both sides.

@@ -53,7 +53,9 @@ function wrongWith(m: Move, from: Pt, lowest: number): Finding {
 const pathIsBounded: PlanLaw = (_, s, plan) => {
   const most = (plan.passes + 3) * (12 + 6 * (plan.contour.length + 4));
   if (plan.moves.length > most) return `${plan.moves.length} moves where ${most} is a lot`;
-  const lowest = Math.min(0, ...plan.contour.flatMap((e) => [e.from.r, e.to.r])) - s.tool.RS - SAME;
+  // A blade has two noses: the outermost one stands half its width away from the tip.
+  const past = Math.max(s.tool.RS, (s.tool.CUTWIDTH ?? 0) / 2);
+  const lowest = Math.min(0, ...plan.contour.flatMap((e) => [e.from.r, e.to.r])) - past - SAME;
   let from = s.start;
   for (const m of plan.moves) {
     const wrong = wrongWith(m, from, lowest);
@@ -80,7 +82,7 @@ const divisionsAreExact: PlanLaw = (cycle, s, plan) => {
 const OTHER: Record<TipOrientation, TipOrientation> = { 1: 3, 2: 2, 3: 1, 4: 8, 5: 7, 6: 6, 7: 5, 8: 4, 9: 9 };
 const point = (p: Pt): Pt => at(-p.z, p.r);
 const ring = (r: Ring): Ring => r.map(point).reverse();
-const mirrored = (s: Situation): Situation => ({
+export const mirrored = (s: Situation): Situation => ({
   ...s,
   values: { ...s.values, Q492: -(s.values["Q492"] ?? 0), Q494: -(s.values["Q494"] ?? 0) },
   tool: { ...s.tool, TO: OTHER[s.tool.TO] },
@@ -99,11 +101,15 @@ const told = (m: Move, to: (p: Pt) => Pt) => {
 const isOnTheWay = (a: Pt, b: Pt, c: Pt) =>
   Math.abs(Math.hypot(b.z - a.z, b.r - a.r) + Math.hypot(c.z - b.z, c.r - b.r) - Math.hypot(c.z - a.z, c.r - a.r)) < SAME;
 
-/** Every move as told, two lines of one piece as one: where a level meets its own continuation, the last digit says if they are two. */
+/**
+ * Every move as told, two lines of one piece as one: where a level meets its own continuation, the last digit says if they are two. So it
+ * does on the way up beside a steep wall, where feed changes to rapid.
+ */
 const allTold = ({ moves }: Plan, start: Pt, to: (p: Pt) => Pt) =>
   moves.filter((m, i) => {
     const [before, next] = [moves[i - 1]?.to ?? start, moves[i + 1]];
-    const same = next && m.kind !== "arc" && next.kind === m.kind && next.phase === m.phase && next.step === m.step;
+    const same = next && m.kind !== "arc" && next.kind !== "arc" && next.phase === m.phase && next.step === m.step
+      && (next.kind === m.kind || next.kind === "rapid");
     return !(same && isOnTheWay(before, m.to, next.to));
   }).map((m) => told(m, to));
 
@@ -139,7 +145,7 @@ const boreStaysClear: PlanLaw = (cycle, s, plan) => {
   // The tip of a button that lies beside the cut is its middle, and comes nearer by the radius.
   if (cycle.group !== "longitudinal" || plan.openSide.r >= 0 || plan.moves.length === 0 || ![5, 6, 7].includes(s.tool.TO)) return null;
   const started = plan.moves.flatMap((m) => (m.step === 0 ? [m.to.r] : []));
-  const contour = plan.contour.flatMap((e) => part.flattened(e, 0.01).map((p) => p.r - (plan.oversize?.r ?? 0) - (s.values["Q485"] ?? 0)));
+  const contour = plan.contour.flatMap((e) => part.flattened(e, SAME / 10).map((p) => p.r - (plan.oversize?.r ?? 0) - (s.values["Q485"] ?? 0)));
   const least = Math.min(s.start.r, ...started, ...contour) - SAME;
   const nearest = Math.min(...plan.moves.map((m) => m.to.r));
   return nearest < least ? `a way comes to R ${nearest}, where R ${least} is the least` : null;

@@ -112,9 +112,11 @@ function beside(cutter: Cutter, r: RecessRough, side: Side, { here, next, shorte
     ? pathAlong(e, next.to, here.to).map((s) => shifted(reversed(s.segment), { u: -shortened.right, v: 0 })).reverse()
     : pathAlong(e, here.from, next.from).map((s) => shifted(s.segment, { u: shortened.left, v: 0 }));
   const wanted = side === "right" ? next.to - shortened.right : next.from + shortened.left;
-  const target = { u: Math.min(Math.max(wanted, next.from), next.to), v: heightOf(r, pass) };
   const stands = side === "right" ? here.to - shortened.right : here.from + shortened.left;
   const { u } = cutter.at;
+  // Where the next level is no wider than what passes are shortened by, the tool stays on this side of it.
+  const usedUp = side === "right" ? wanted < next.from : wanted > next.to;
+  const target = { u: Math.min(Math.max(usedUp ? u : wanted, next.from), next.to), v: heightOf(r, pass) };
   if (side === "right" ? u > stands + SAME : u < stands - SAME) {
     const under = u > next.to
       ? pathAlong(e, next.to, u).map((s) => reversed(s.segment)).reverse()
