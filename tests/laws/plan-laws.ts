@@ -2,7 +2,7 @@ import type { Cycle } from "../../src/cycles/define.ts";
 import type { Move } from "../../src/kernel/move.ts";
 import type { Plan } from "../../src/kernel/plan.ts";
 import { at, part, type Pt, type Ring } from "../../src/kernel/point.ts";
-import { SAME } from "../../src/kernel/tolerance.ts";
+import { ROUND, SAME } from "../../src/kernel/tolerance.ts";
 import type { TipOrientation } from "../../src/kernel/tool.ts";
 import type { Finding, Situation } from "./situation.ts";
 import { planOf } from "./worked-plans.ts";
@@ -20,7 +20,7 @@ const infeedsAreEven: PlanLaw = (cycle, s, plan) => {
   const q = infeedOf(cycle);
   if (!roughs(s) || q === undefined) return null;
   const most = Math.min(s.values[q] ?? 0, s.tool.CUTLENGTH || Infinity);
-  if (plan.infeed > most + SAME) return `an infeed of ${plan.infeed} where ${most} is the most`;
+  if (plan.infeed > most + SAME + ROUND) return `an infeed of ${plan.infeed} where ${most} is the most`;
   if (plan.passes > 1 && (plan.passes * plan.infeed) / (plan.passes - 1) <= most - SAME * most) {
     return `${plan.passes} passes of ${plan.infeed} where one fewer would do with ${most}`;
   }
@@ -36,7 +36,7 @@ const passesAreNumbered: PlanLaw = (_, s, plan) => {
 const plungesAreLimited: PlanLaw = (cycle, s, plan) => {
   const q = Object.entries(cycle.params).find(([, p]) => p.shown === "depthLimit")?.[0];
   const most = q === undefined ? 0 : (s.values[q] ?? 0);
-  return most > 0 && plan.infeed > most + SAME ? `a bite of ${plan.infeed} where ${most} is the most` : null;
+  return most > 0 && plan.infeed > most + SAME + ROUND ? `a bite of ${plan.infeed} where ${most} is the most` : null;
 };
 
 /** What is wrong with one move by itself. Over the axis it goes only as far as the contour does, and by the nose that faces it clean. */
@@ -166,10 +166,6 @@ const floorsAreReached: PlanLaw = (cycle, s, plan) => {
   if (plan.issues.some((i) => i.severity === "error") || says(plan, "recessNarrowerThanTool", "depthOverCutLength")) return null;
   const height = heightIn(plan);
   const floor = Math.min(...plan.contour.map((e) => height(e.to))) + keptOn(s, plan);
-  // Narrower than the blade by what is still closed, it is reached where nothing breaks its mouth.
-  const bottom = plan.contour.flatMap((e) => [e.from, e.to]).filter((p) => height(p) < floor - keptOn(s, plan) + SAME);
-  const along = bottom.map((p) => (plan.openSide.z === 0 ? p.z : p.r));
-  if (Math.max(...along) - Math.min(...along) < (s.tool.CUTWIDTH ?? 0) + (s.tool.DCW ?? 0) - SAME / 10) return null;
   if (floor > Math.max(...plan.contour.map((e) => height(e.to))) - SAME) return null;
   const deepest = Math.min(...plan.moves.flatMap((m) => (m.phase === "rough" ? [height(m.to)] : [])));
   return Math.abs(deepest - floor) > 3 * SAME ? `roughed down to ${deepest} where the floor with its oversize is ${floor}` : null;
@@ -180,7 +176,7 @@ const cutLengthCountsInMaterial: PlanLaw = (cycle, s, plan) => {
   const edge = s.tool.CUTLENGTH ?? 0;
   if (!isRecess(cycle) || !says(plan, "depthOverCutLength")) return null;
   const height = heightIn(plan);
-  const depth = Math.max(...s.blank.flat().map(height)) - Math.min(...plan.contour.flatMap((e) => [height(e.from), height(e.to)]));
+  const depth = Math.max(...s.blank.flat().map(height)) - Math.min(...part.flattenedChain(plan.contour, SAME / 10).map(height));
   return depth < edge - SAME ? `a depth of ${depth} is too much for an edge of ${edge}` : null;
 };
 
@@ -188,15 +184,13 @@ const cutLengthCountsInMaterial: PlanLaw = (cycle, s, plan) => {
 const recessesAreLeftAsPrinted: PlanLaw = (cycle, s, plan) => {
   if (!isRecess(cycle) || failed(plan)) return null;
   const height = heightIn(plan);
-  // From within the blank the tool has to leave it first.
-  if (s.blank.flat().some((p) => height(p) > height(s.start) + SAME)) return null;
   // A contour that keeps its oversize is as much higher.
   const over = s.values["Q215"] === 3 ? keptOn(s, plan) : 0;
   const top = Math.max(height(s.start), ...part.flattenedChain(plan.contour, SAME / 10).map((p) => height(p) + over));
   const higher = plan.moves.find((m) => m.kind !== "arc" && height(m.to) > top + 2 * SAME);
   if (higher) return `up to ${height(higher.to)} where the start point stands at ${top}`;
   const last = plan.moves.at(-1);
-  const printed = cycle.contour === "own" && (cycle.number === 841 || cycle.number === 851 || cycle.number === 861 || cycle.number === 871);
+  const printed = cycle.contour === "own" && !says(plan, "startBelowContour");
   return printed && last?.phase === "position" && last.kind !== "rapid" ? `back to the start point by ${last.kind}` : null;
 };
 

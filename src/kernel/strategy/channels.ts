@@ -1,5 +1,5 @@
 import { extent, moved, type Convex } from "../convex.ts";
-import { heightAt, push, valueAt, type Envelope, type Span } from "../envelope.ts";
+import { heightAt, push, valueAt, type Envelope, type Interval, type Span } from "../envelope.ts";
 import { cuttingWidth, isBar, noseRadius } from "../insert.ts";
 import { JOINED, SAME } from "../tolerance.ts";
 import type { Tool } from "../tool.ts";
@@ -11,8 +11,8 @@ import type { Flat } from "../flat.ts";
  * positions is closed: where a tool narrower by SAME goes deeper between two walls than the tool itself, the tip has a slot.
  */
 
-/** Width of such a slot, mm: wider than what envelopes join, narrower than any move. */
-export const SLOT = 10 * JOINED;
+/** Width of such a slot beside nothing deeper, mm: wider than what envelopes join, narrower than any move. */
+const SLOT = 10 * JOINED;
 
 /** How much narrower than the tool a channel may be, mm, with room for the slot in one that is narrower by all of SAME. */
 const NARROWER = SAME + 4 * SLOT;
@@ -29,17 +29,20 @@ export function centredIn(slim: Convex, shape: Convex): Convex {
   return moved(slim, { u: (outer.minU + outer.maxU - inner.minU - inner.maxU) / 2, v: outer.minV - inner.minV });
 }
 
-/** An envelope with slots at these places, as deep as the envelope of the slim tool is there. */
-export function withSlots(e: Envelope, slim: Envelope, places: readonly number[]): Envelope {
-  return places.reduce((all, u) => {
-    const [from, to] = [u - SLOT / 2, u + SLOT / 2];
-    return [...between(all, -Infinity, from), ...between(slim, from, to), ...between(all, to, Infinity)];
-  }, e);
+/** An envelope with these slots, as deep as the envelope of the slim tool is there. */
+export function withSlots(e: Envelope, slim: Envelope, slots: readonly Interval[]): Envelope {
+  return slots.reduce(
+    (all, { from, to }) => [...between(all, -Infinity, from), ...between(slim, from, to), ...between(all, to, Infinity)],
+    e,
+  );
 }
 
-/** The middle of each channel: between two walls that the slim tool passes, no farther apart than the difference, and the tool does not. */
-export function channelsOf(e: Envelope, slim: Envelope): number[] {
-  const found: number[] = [];
+/**
+ * The slot in the middle of each channel: between two walls that the slim tool passes, no farther apart than the difference, and the tool
+ * does not. It reaches to where the tool itself comes deepest beside it, so that no wall is left in between.
+ */
+export function channelsOf(e: Envelope, slim: Envelope): Interval[] {
+  const found: Interval[] = [];
   for (let i = 1; i < slim.length - 1; i += 1) {
     const [before, from] = [slim[i - 1] as Span, (slim[i] as Span).u0];
     let low = Infinity;
@@ -49,12 +52,28 @@ export function channelsOf(e: Envelope, slim: Envelope): number[] {
       low = Math.min(low, valueAt(piece, u0), valueAt(piece, (u0 + u1) / 2), valueAt(piece, u1));
       if (Math.min(valueAt(before.piece, before.u1), valueAt(after.piece, after.u0)) <= low + SAME) continue;
       const middle = (from + u1) / 2;
-      if (heightAt(e, middle) > low + SAME) found.push(middle);
+      const high = heightAt(e, middle);
+      if (high > low + SAME) {
+        const [a, b] = [middle - SLOT / 2, middle + SLOT / 2];
+        const own = deepestBeside(e, from - NARROWER, u1 + NARROWER);
+        found.push(own.v < high - SAME ? { from: Math.min(a, own.u), to: Math.max(b, own.u) } : { from: a, to: b });
+      }
       i = j;
       break;
     }
   }
   return found;
+}
+
+/** Where an envelope is deepest between two places, at the ends of its pieces. */
+function deepestBeside(e: Envelope, from: number, to: number): Flat {
+  let deepest: Flat = { u: from, v: Infinity };
+  for (const { piece, u0, u1 } of between(e, from, to))
+    for (const u of [u0, u1]) {
+      const v = valueAt(piece, u);
+      if (v < deepest.v) deepest = { u, v };
+    }
+  return deepest;
 }
 
 function between(e: Envelope, from: number, to: number): Span[] {
@@ -63,8 +82,11 @@ function between(e: Envelope, from: number, to: number): Span[] {
   return out;
 }
 
-/** The ends of a path along a contour; where the tool fits exactly between them, they lie on either side of its slot. */
-export function besideSlot(start: Flat, end: Flat, places: readonly number[]): readonly [Flat, Flat] {
-  const u = places.find((place) => Math.max(Math.abs(place - start.u), Math.abs(place - end.u)) <= NARROWER);
-  return u === undefined ? [start, end] : [{ ...start, u: u - SLOT / 2 }, { ...end, u: u + SLOT / 2 }];
+/** The ends of a path along a contour: one beside a slot lies on its far side, so that the path leads through it. */
+export function besideSlot(start: Flat, end: Flat, slots: readonly Interval[]): readonly [Flat, Flat] {
+  const beside = ({ u }: Flat) => slots.find(({ from, to }) => Math.abs((from + to) / 2 - u) <= NARROWER);
+  return [
+    { ...start, u: Math.min(start.u, beside(start)?.from ?? start.u) },
+    { ...end, u: Math.max(end.u, beside(end)?.to ?? end.u) },
+  ];
 }

@@ -143,7 +143,7 @@ export function floorOf(tool: Tool, site: SunkSite, setting: Setting, issues: Is
   const depth = stands - Math.min(...site.flat.map(lowestOf));
   if (depth <= edge + SAME) return null;
   issues.push(issue("depthOverCutLength", "warning", { depth, cutLength: edge }, "depth"));
-  return stands - edge;
+  return Math.min(stands - edge, site.top);
 }
 
 /** Where the tip may be so that neither corner of the edge crosses a machining limit. */
