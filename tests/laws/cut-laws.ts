@@ -58,7 +58,9 @@ export function worked(cycle: Cycle, situation: Situation, width = WIDTH): Worke
   const operation = situation.values["Q215"] ?? 0;
   const plans = (operation >= 2 ? [1, operation] : [operation]).map((o, i) => planOf(cycle, doing(situation, o), i === 0));
   const steps = stepsOf(plans, situation);
-  const verdicts = (["z", "r"] as const).map((along) => judge(situation.blank, steps, partOf(plans), gridOver(situation.blank, along, width)));
+  const verdicts = (["z", "r"] as const).map((along) =>
+    judge(situation.blank, steps, partOf(plans), gridOver(situation.blank, along, width))
+  );
   return { cycle, situation, plans, simulation: simulated(plans, situation), verdicts };
 }
 

@@ -44,6 +44,29 @@ for (const operation of [0, 1, 2, 3])
     });
   });
 
+/** Set-ups of each operation that may be looked at until every prompt of a cycle has acted. */
+const LOOKED_AT = 40;
+
+test.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))("cycle %s: every prompt that counts changes something",
+  (number, cycle) => {
+    const drawn = [0, 1, 2, 3].map((operation) =>
+      situations(operation).filter((s) => s.cycle.number === number).flatMap(({ arbitrary }) =>
+        fc.sample(fc.tuple(arbitrary, share), LOOKED_AT)
+      )
+    );
+    const waiting = new Set(Object.entries<Param>(cycle.params).flatMap(([q, p]) => (p.reserved ? [] : [q])));
+    for (let k = 0; k < LOOKED_AT && waiting.size > 0; k += 1)
+      for (const [s, at] of drawn.flatMap((row) => row.slice(k, k + 1)))
+        for (const q of [...waiting]) {
+          const p = cycle.params[q] as Param;
+          const others = p.choices ?? [valueAt(p, at), p.example, p.range[0], p.range[1]];
+          const counting = p.counts === null || p.counts.q === "Q215" ? {} : { [p.counts.q]: p.counts.among[k % p.counts.among.length] };
+          const plans = others.map((value) => told(cycle, { ...s, values: { ...s.values, ...counting, [q]: value } as never }));
+          if (new Set(plans).size > 1) waiting.delete(q);
+        }
+    expect([...waiting]).toEqual([]);
+  });
+
 test("a condition names a choice of the same list, and only values that it has", () => {
   const wrong = cuttingCycles.flatMap((cycle) =>
     Object.entries<Param>(cycle.params).filter(([, p]) => {

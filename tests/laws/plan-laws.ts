@@ -145,7 +145,9 @@ const boreStaysClear: PlanLaw = (cycle, s, plan) => {
   // The tip of a button that lies beside the cut is its middle, and comes nearer by the radius.
   if (cycle.group !== "longitudinal" || plan.openSide.r >= 0 || plan.moves.length === 0 || ![5, 6, 7].includes(s.tool.TO)) return null;
   const started = plan.moves.flatMap((m) => (m.step === 0 ? [m.to.r] : []));
-  const contour = plan.contour.flatMap((e) => part.flattened(e, SAME / 10).map((p) => p.r - (plan.oversize?.r ?? 0) - (s.values["Q485"] ?? 0)));
+  const contour = plan.contour.flatMap((e) =>
+    part.flattened(e, SAME / 10).map((p) => p.r - (plan.oversize?.r ?? 0) - (s.values["Q485"] ?? 0))
+  );
   const least = Math.min(s.start.r, ...started, ...contour) - SAME;
   const nearest = Math.min(...plan.moves.map((m) => m.to.r));
   return nearest < least ? `a way comes to R ${nearest}, where R ${least} is the least` : null;
