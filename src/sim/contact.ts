@@ -1,6 +1,6 @@
 import { difference, intersection } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
-import { boxAround, inBox } from "../kernel/box.ts";
+import { boxBeyond, inBox } from "../kernel/box.ts";
 import { merged, near, type Present } from "./cutting.ts";
 import type { Sweep } from "./sweep.ts";
 
@@ -20,11 +20,11 @@ export function inStock(sweeps: readonly Sweep[], now: Present, within: readonly
 function standing(sweeps: readonly Sweep[], now: Present, within: readonly Ring[] | null): Ring[] {
   const rings = sweeps.flatMap((sweep) => near(sweep, now.meets));
   if (rings.length === 0) return [];
-  const box = boxAround(rings);
+  const box = boxBeyond(rings);
   const whole = merged(rings);
   const area = within ? intersection(inBox(within, box), whole) : whole;
   if (area.length === 0) return [];
   const there = intersection(inBox(now.base, box), area);
-  const gone = there.length === 0 ? [] : inBox(now.gone, boxAround(there));
+  const gone = there.length === 0 ? [] : inBox(now.gone, boxBeyond(there));
   return gone.length === 0 ? there : difference(there, gone);
 }

@@ -31,10 +31,8 @@ export function centredIn(slim: Convex, shape: Convex): Convex {
 
 /** An envelope with these slots, as deep as the envelope of the slim tool is there. */
 export function withSlots(e: Envelope, slim: Envelope, slots: readonly Interval[]): Envelope {
-  return slots.reduce(
-    (all, { from, to }) => [...between(all, -Infinity, from), ...between(slim, from, to), ...between(all, to, Infinity)],
-    e,
-  );
+  return slots.reduce((all, { from, to }) => [...between(all, -Infinity, from), ...between(slim, from, to), ...between(all, to, Infinity)],
+    e);
 }
 
 /**
@@ -85,8 +83,5 @@ function between(e: Envelope, from: number, to: number): Span[] {
 /** The ends of a path along a contour: one beside a slot lies on its far side, so that the path leads through it. */
 export function besideSlot(start: Flat, end: Flat, slots: readonly Interval[]): readonly [Flat, Flat] {
   const beside = ({ u }: Flat) => slots.find(({ from, to }) => Math.abs((from + to) / 2 - u) <= NARROWER);
-  return [
-    { ...start, u: Math.min(start.u, beside(start)?.from ?? start.u) },
-    { ...end, u: Math.max(end.u, beside(end)?.to ?? end.u) },
-  ];
+  return [{ ...start, u: Math.min(start.u, beside(start)?.from ?? start.u) }, { ...end, u: Math.max(end.u, beside(end)?.to ?? end.u) }];
 }

@@ -1,5 +1,5 @@
 import { areaOf } from "../../kernel/area.ts";
-import { boxAround, inBox } from "../../kernel/box.ts";
+import { boxAround, boxBeyond, inBox } from "../../kernel/box.ts";
 import { difference, intersection } from "../../kernel/clip.ts";
 import { at, part, type Pt, type Ring } from "../../kernel/point.ts";
 import type { Step } from "../../kernel/step.ts";
@@ -50,9 +50,9 @@ const movedBy = (ring: Ring, z: number, r: number): Ring => ring.map((p) => at(p
 /** What an insert takes of the stock before a step, less what is covered in that step up to a fraction of it. */
 function taken(insert: Ring, now: Present, step: Step, outline: Ring, fraction: number): Ring[] {
   if (!now.meets(convexPieceOf(insert))) return [];
-  const there = intersection(inBox(now.base, boxAround([insert])), [insert]);
+  const there = intersection(inBox(now.base, boxBeyond([insert])), [insert]);
   if (there.length === 0) return [];
-  const box = boxAround(there);
+  const box = boxBeyond(there);
   const gone = [...inBox(now.gone, box), ...inBox(sweptBy(outline, step, fraction).rings, box)];
   return gone.length === 0 ? there : difference(there, gone);
 }
