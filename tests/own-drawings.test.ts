@@ -1,4 +1,4 @@
-import { madeOf } from "../src/sim/finished.ts";
+import { madeOf } from "../src/sim/made.ts";
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { printWords } from "../src/app/course/drawing/print-words.ts";

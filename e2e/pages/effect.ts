@@ -3,10 +3,10 @@ import type { Context } from "./turnwise.ts";
 
 type EffectCell = "passes" | "infeed" | "time" | "chip" | "residual" | "proof";
 
-/** Any verdict that the path is proved, in the words of a language. */
+/** Any verdict that the path is proved, in the words of a language; nobody states for which diameters an axial blade is ground. */
 export function provedIn({ findings: { verdict } }: Context["t"]): RegExp {
   const [proved = ""] = verdict.proved.split(/[\s:：]/);
-  return new RegExp(`^${proved}`);
+  return new RegExp(`^(?:${proved}|${verdict.curvatureUnknown})`);
 }
 
 /** What the values do, updated while they are typed. */

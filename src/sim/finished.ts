@@ -1,6 +1,7 @@
 import { difference, offset, union } from "../kernel/clip.ts";
 import type { Ring } from "../kernel/point.ts";
 import { CHORD, SLIVER } from "../kernel/tolerance.ts";
+import { madeOf } from "./made.ts";
 import type { SimulatedOperation, Simulation } from "./simulation.ts";
 
 /** Everything that the operations together take away when they are perfect. */
@@ -13,12 +14,6 @@ export const machiningArea = (operations: readonly SimulatedOperation[]): Ring[]
 export function finishedPart(operations: readonly SimulatedOperation[]): Ring[] {
   const parts = union(operations.map((o) => o.plan.part));
   return parts.length === 0 ? [] : offset(difference(parts, machiningArea(operations)), -SLIVER);
-}
-
-/** What a program has made by its end: what is still held, and the parts that it has cut off from the blank that is in the chuck. */
-export function madeOf({ final, checkpoints, proof }: Pick<Simulation, "final" | "checkpoints" | "proof">): readonly Ring[] {
-  const stated = checkpoints.findLast((mark) => mark.isStated)?.step ?? 0;
-  return [...final, ...proof.loose.filter(({ shape, step }) => shape === "piece" && step > stated).flatMap(({ rings }) => rings)];
 }
 
 /** Material that is missing by less than this is the chord error of both sides, mm. */

@@ -7,7 +7,7 @@ import type { Step } from "../kernel/step.ts";
 import type { TipOrientation, Tool } from "../kernel/tool.ts";
 import { axial, degrees, feed, length, radius } from "../kernel/units.ts";
 import { stockIssues } from "./issues.ts";
-import { madeOf } from "./finished.ts";
+import { madeOf } from "./made.ts";
 import { simulate } from "./simulate.ts";
 import { playerOf } from "./stock.ts";
 

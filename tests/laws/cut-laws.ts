@@ -179,9 +179,10 @@ const thickOf = (f: Field): Field =>
     return core.flatMap((n, k) => (k % 2 === 0 && (core[k + 1] as number) - n > 0.02 ? [n, core[k + 1] as number] : []));
   });
 
-/** Roughing and finishing leave nothing that the tool could reach. */
+/** Roughing and finishing leave nothing that the tool could reach; how far one goes that does not fit in is no promise. */
 const nothingReachableStays: CutLaw = ({ plans: [plan], situation: { values }, simulation }) => {
   if (!plan || values["Q215"] !== 0 || values["Q479"] === 1 || plan.passes === 0 || startsBadly(plan)) return null;
+  if (plan.issues.some((i) => i.code === "recessNarrowerThanTool")) return null;
   const left = simulation.proof.residual.find((r) => r.reason === "oversize" && r.area > 0.05);
   return left ? `${mm2(left.area)} stay that the tool could reach` : null;
 };
@@ -190,10 +191,11 @@ const nothingReachableStays: CutLaw = ({ plans: [plan], situation: { values }, s
  * Roughing alone keeps the oversize: nothing of the part grown by it is cut. A rectangle holds the part moved to each of its corners. An
  * insert whose start point stands in the stock cuts there whatever the cycle does, which is told.
  */
-const oversizeStays: CutLaw = ({ plans: [plan], situation: { values, blank }, simulation }) => {
+const oversizeStays: CutLaw = (w) => {
+  const { plans: [plan], situation: { values, blank }, simulation } = w;
   if (!plan || values["Q215"] !== 1 || plan.part.length === 0 || startsBadly(plan)) return null;
   if (simulation.proof.operations[0]?.startInMaterial) return null;
-  const cut = difference(blank, simulation.final);
+  const cut = difference(blank, [...simulation.final, ...looseOf(w)]);
   const [dz, dr] = [values["Q484"] ?? 0, (values["Q483"] ?? 0) / 2];
   // Beyond the axis there is no part that could keep any.
   const far = 1e4;

@@ -1,4 +1,4 @@
-import { madeOf } from "../../sim/finished.ts";
+import { madeOf } from "../../sim/made.ts";
 import { thumbnailOf } from "../../view/thumbnail.ts";
 import { isMadeFrom, useOutcome } from "../engine/outcome.ts";
 import { useEditor } from "../store.ts";

@@ -1,4 +1,4 @@
-import { madeOf } from "../../sim/finished.ts";
+import { madeOf } from "../../sim/made.ts";
 import { useId, useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";

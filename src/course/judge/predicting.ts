@@ -1,4 +1,4 @@
-import { madeOf } from "../../sim/finished.ts";
+import { madeOf } from "../../sim/made.ts";
 import { areaOf } from "../../kernel/area.ts";
 import { part, type Pt, type Ring } from "../../kernel/point.ts";
 import { ROUND } from "../../kernel/tolerance.ts";

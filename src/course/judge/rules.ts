@@ -1,4 +1,4 @@
-import { madeOf } from "../../sim/finished.ts";
+import { madeOf } from "../../sim/made.ts";
 import { REAL_AREA } from "../../kernel/real-area.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { parse } from "../../nc/parse.ts";

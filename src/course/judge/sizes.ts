@@ -1,4 +1,4 @@
-import { madeOf } from "../../sim/finished.ts";
+import { madeOf } from "../../sim/made.ts";
 import { at, type Pt, type Ring } from "../../kernel/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";

@@ -1,4 +1,4 @@
-import { madeOf } from "../../sim/finished.ts";
+import { madeOf } from "../../sim/made.ts";
 import { at, type Ring } from "../../kernel/point.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
 import { scanCrossings } from "../../sim/scan.ts";

@@ -1,4 +1,4 @@
-import { madeOf } from "../../sim/finished.ts";
+import { madeOf } from "../../sim/made.ts";
 import { boxAround } from "../../kernel/box.ts";
 import { areaOf } from "../../kernel/area.ts";
 import { at, type Ring, type Segment } from "../../kernel/point.ts";

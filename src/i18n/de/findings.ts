@@ -43,7 +43,7 @@ export const findings = {
     noOperation: "Nichts ist geprüft",
     milling: "Fräsen ist nicht geprüft",
     flanksUnknown: "Bahn geprüft, Flanken nicht geprüft",
-    curvatureUnknown: "Bahn geprüft, Krümmung des Stechers nicht geprüft",
+    curvatureUnknown: "Bahn geprüft, Stecherkrümmung nicht geprüft",
     faultsIn: (n, file) => (n === 1 ? `1 Fehler, in ${file}` : `${n} Fehler, der erste in ${file}`),
     unprovedIn: (file) => `In ${file} wurde nicht alles simuliert`,
     notes: "Weg geprüft, Hinweise beachten",
@@ -65,9 +65,7 @@ export const findings = {
       approachesClear: "An- und Wegfahren sind frei.",
       holderUnknown: (tools) => `Der Halter von Werkzeug ${tools} wurde nicht geprüft: Die Tabelle beschreibt keinen.`,
       flanksUnknown: (tools) => `Die Flanken von Werkzeug ${tools} wurden nicht geprüft: T-ANGLE oder P-ANGLE ist leer.`,
-      curvatureUnknown: (tools) =>
-        `Die Krümmung des Stechers von Werkzeug ${tools} wurde nicht geprüft: Ein Axialstecher `
-        + `passt nur in einen Durchmesserbereich, und die Tabelle nennt keinen.`,
+      curvatureUnknown: (tools) => `Für den Axialstecher von Werkzeug ${tools} ist kein Durchmesserbereich angegeben.`,
     },
   },
   leaving: {

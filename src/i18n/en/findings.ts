@@ -44,7 +44,7 @@ export const findings = {
     noOperation: "Nothing is proved",
     milling: "Milling is not proved",
     flanksUnknown: "Path proved, flanks not checked",
-    curvatureUnknown: "Path proved, curvature of the blade not checked",
+    curvatureUnknown: "Path proved, blade curvature not checked",
     faultsIn: (n: number, file: string) => (n === 1 ? `1 fault, in ${file}` : `${n} faults, the first in ${file}`),
     unprovedIn: (file: string) => `Not everything in ${file} was simulated`,
     notes: "Path checked, see notes",
@@ -65,9 +65,7 @@ export const findings = {
       approachesClear: "Approach and departure are clear.",
       holderUnknown: (tools: string) => `The holder was not checked for tool ${tools}: the table describes none.`,
       flanksUnknown: (tools: string) => `The flanks were not checked for tool ${tools}: T-ANGLE or P-ANGLE is empty.`,
-      curvatureUnknown: (tools: string) =>
-        `The curvature of the blade was not checked for tool ${tools}: a blade that plunges along `
-        + `Z fits a range of diameters only, and the table states none.`,
+      curvatureUnknown: (tools: string) => `No range of diameters is stated for the blade of tool ${tools}, which plunges along Z.`,
     },
   },
   leaving: {

@@ -43,7 +43,7 @@ export const findings = {
     noOperation: "Rien n’est contrôlé",
     milling: "Le fraisage n’est pas contrôlé",
     flanksUnknown: "Trajectoire contrôlée, flancs non contrôlés",
-    curvatureUnknown: "Trajectoire contrôlée, courbure de la lame non contrôlée",
+    curvatureUnknown: "Trajectoire contrôlée, courbure de lame non contrôlée",
     faultsIn: (n, file) => (n === 1 ? `1 défaut, dans ${file}` : `${n} défauts, le premier dans ${file}`),
     unprovedIn: (file) => `Tout n’a pas été simulé dans ${file}`,
     notes: "Trajectoire vérifiée, voir les remarques",
@@ -65,9 +65,7 @@ export const findings = {
       approachesClear: "L’approche et la sortie sont libres.",
       holderUnknown: (tools) => `Le porte-outil n’a pas été contrôlé pour l’outil ${tools} : le tableau n’en décrit aucun.`,
       flanksUnknown: (tools) => `Les flancs n’ont pas été contrôlés pour l’outil ${tools} : T-ANGLE ou P-ANGLE est vide.`,
-      curvatureUnknown: (tools) =>
-        `La courbure de la lame n’a pas été contrôlée pour l’outil ${tools} : une lame frontale ne `
-        + `convient qu’à une plage de diamètres, et le tableau n’en indique aucune.`,
+      curvatureUnknown: (tools) => `Aucune plage de diamètres n’est indiquée pour la lame axiale de l’outil ${tools}.`,
     },
   },
   leaving: {

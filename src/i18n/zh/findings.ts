@@ -64,7 +64,7 @@ export const findings = {
       approachesClear: "接近和离开路径无碰撞。",
       holderUnknown: (tools) => `刀具 ${tools} 的刀杆未检查：刀具表中没有刀杆数据。`,
       flanksUnknown: (tools) => `刀具 ${tools} 的侧刃未检查：T-ANGLE 或 P-ANGLE 为空。`,
-      curvatureUnknown: (tools) => `刀具 ${tools} 的切刀弧度未检查：端面切槽刀只适用于一定直径范围，而刀具表中未给出。`,
+      curvatureUnknown: (tools) => `刀具 ${tools} 的端面切槽刀片未给出直径范围。`,
     },
   },
   leaving: {

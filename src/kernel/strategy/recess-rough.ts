@@ -114,8 +114,8 @@ function beside(cutter: Cutter, r: RecessRough, side: Side, { here, next, shorte
   const wanted = side === "right" ? next.to - shortened.right : next.from + shortened.left;
   const stands = side === "right" ? here.to - shortened.right : here.from + shortened.left;
   const { u } = cutter.at;
-  // Where the next level is no wider than what passes are shortened by, the tool stays on this side of it.
-  const usedUp = side === "right" ? wanted < next.from : wanted > next.to;
+  // Where both sides are shortened by more than the next level is wide, beyond its middle stands what the passes before have left.
+  const usedUp = side === "right" ? wanted < next.from + shortened.left : wanted > next.to - shortened.right;
   const target = { u: Math.min(Math.max(usedUp ? u : wanted, next.from), next.to), v: heightOf(r, pass) };
   if (side === "right" ? u > stands + SAME : u < stands - SAME) {
     const under = u > next.to

@@ -2,7 +2,8 @@ import { areaOf } from "../../kernel/area.ts";
 import { difference, intersection, offset, simplified, union, unpacked } from "../../kernel/clip.ts";
 import type { Ring } from "../../kernel/point.ts";
 import { SLIVER } from "../../kernel/tolerance.ts";
-import { lessPlainCuts, machiningArea, madeOf } from "../../sim/finished.ts";
+import { lessPlainCuts, machiningArea } from "../../sim/finished.ts";
+import { madeOf } from "../../sim/made.ts";
 import type { PlayPosition, SimulatedOperation, Simulation } from "../../sim/simulation.ts";
 
 /** What of the stock is shown in which colour, as areas of the half plane that do not overlap. */

@@ -1,4 +1,4 @@
-import { madeOf } from "../../../sim/finished.ts";
+import { madeOf } from "../../../sim/made.ts";
 import { useMemo, useRef } from "react";
 import { createPortal } from "react-dom";
 import { drawnProgram } from "../../../course/printed-program.ts";
