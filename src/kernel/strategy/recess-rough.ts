@@ -58,6 +58,7 @@ function roughSection(cutter: Cutter, r: RecessRough, s: RecessSection, before: 
     if (pass > 1) shortened[side] += r.offset;
     const next = s.levels[k + 1];
     const end = endOf(cutter, side, { here, next: s.levels.at(-1) ?? here, shortened });
+    const began = cutter.at.u;
     cutter.feed({ u: end, v: height }, r.feeds.rough, purpose(2, pass));
     if (!next) return;
     if (r.oneWay) {
@@ -66,7 +67,7 @@ function roughSection(cutter: Cutter, r: RecessRough, s: RecessSection, before: 
       cutter.link({ u: begin, v: height }, linked(r, 4, purpose(4, pass)));
       const wall = before.left > 0 ? [] : pathAlong(e, here.from, next.from).map((x) => x.segment);
       down(cutter, wall, { u: Math.min(next.to, next.from + before.left), v: heightOf(r, pass + 1) }, r, pass + 1);
-    } else beside(cutter, r, side, { here, next, shortened }, pass + 1);
+    } else beside(cutter, r, side, { here, next, shortened, began }, pass + 1);
   });
   const last = s.inner.length - 1;
   s.inner.forEach((part, i) =>
@@ -106,7 +107,13 @@ function endOf({ at }: Cutter, side: Side, { here, next, shortened }: Descent): 
  * Down beside a wall, apart from it by what the passes are shortened there; where it cannot be followed, sideways and down. A pass whose
  * way was used up goes straight down, or along the wall that is there.
  */
-function beside(cutter: Cutter, r: RecessRough, side: Side, { here, next, shortened }: Descent, pass: number) {
+function beside(
+  cutter: Cutter,
+  r: RecessRough,
+  side: Side,
+  { here, next, shortened, began }: Descent & { readonly began: number },
+  pass: number,
+) {
   const e = r.ground.envelope;
   const wall = side === "right"
     ? pathAlong(e, next.to, here.to).map((s) => shifted(reversed(s.segment), { u: -shortened.right, v: 0 })).reverse()
@@ -114,8 +121,8 @@ function beside(cutter: Cutter, r: RecessRough, side: Side, { here, next, shorte
   const wanted = side === "right" ? next.to - shortened.right : next.from + shortened.left;
   const stands = side === "right" ? here.to - shortened.right : here.from + shortened.left;
   const { u } = cutter.at;
-  // Where both sides are shortened by more than the next level is wide, beyond its middle stands what the passes before have left.
-  const usedUp = side === "right" ? wanted < next.from + shortened.left : wanted > next.to - shortened.right;
+  // Beyond where this pass began stands what the passes before have left: there is no way over to it.
+  const usedUp = side === "right" ? wanted < Math.max(began, next.from) : wanted > Math.min(began, next.to);
   const target = { u: Math.min(Math.max(usedUp ? u : wanted, next.from), next.to), v: heightOf(r, pass) };
   if (side === "right" ? u > stands + SAME : u < stands - SAME) {
     const under = u > next.to
