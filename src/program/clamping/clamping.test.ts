@@ -135,6 +135,19 @@ describe("contact", () => {
     expect(contacts(turned(held, -50)).some((each) => each.startsWith("tailstock"))).toBe(true);
     expect(contacts(turned(`${HELD} QUILL4 TIP-2`, -50))).toEqual([]);
   });
+  test("the body of the chuck is met behind its jaws, and a driver and a collet are met like them", () => {
+    const long = (stated: string) => contacts(turned(`; CLAMPING ${stated}`, -79.5));
+    expect(long("CHUCK INSIDE D10 LENGTH20 FACE-30 SIZE160")).toContain("chuck tool");
+    expect(long("COLLET D30 LENGTH20 FACE-60 SIZE90")).toContain("collet tool");
+    expect(long("BETWEEN CENTRES D60 FACE-70 QUILL10 TIP-2")).toContain("driver tool");
+    expect(long("CHUCK OUTSIDE D30 LENGTH4 FACE-76 SIZE160 QUILL80 TIP-4 ANGLE120")).toContain("tailstock tool");
+  });
+  test("a changed grip is cut again where its run is known: other pieces come loose", () => {
+    const again = simulating(), disc = readFileSync("tests/cases/ring-out-of-a-disc.h", "utf8");
+    const loose = (text: string) => again(ran(text)).proof.loose.map(({ shape }) => shape);
+    const beside = disc.replace("SOFT JAWS D80", "SOFT JAWS D76");
+    expect([loose(disc), loose(beside), loose(disc), loose(disc.replace(/; CLAMPING.*/, "; none"))]).toEqual([["slug"], [], ["slug"], []]);
+  });
   test("changed in a run that is known it is looked at again", () => {
     const again = simulating();
     const count = (text: string) => again(ran(text)).findings.filter(({ kind }) => kind === "clampContact").length;
