@@ -7,6 +7,8 @@ import { at } from "../../kernel/point.ts";
 import { parse } from "../../nc/parse.ts";
 import { simulate, simulating } from "../../sim/simulate.ts";
 import { stockIssues } from "../../sim/issues.ts";
+import { report } from "../../report/report.ts";
+import { summary } from "../../report/summary.ts";
 import { run } from "../run.ts";
 import { shippedTools } from "../shipped-tools.ts";
 import { clampingIn, proposedClamping, withClamping } from "./draft.ts";
@@ -182,4 +184,16 @@ test("a program gets its clamping behind the blank, another one in its place, an
   expect(clampingIn(parse(raw(stated)))?.draft).toEqual(draft);
   expect(raw(withClamping(stated, { ...draft, kind: "softJaws" })).split("\n")[2]).toContain("; CLAMPING SOFT JAWS D30");
   expect(raw(withClamping(stated, null))).toBe(text);
+});
+
+test("the report says what holds the work, and that nothing was looked at where it is not stated", () => {
+  const reported = (text: string) => {
+    const made = ran(text);
+    return report({ file: "a.h", run: made, simulation: simulate(made), milliseconds: { parse: 0, plan: 0, simulate: 0 } }, "en");
+  };
+  const stated = reported(turned(`${HELD} QUILL4 TIP-2`, -50)), unstated = reported(turned("; none", -50));
+  expect(stated.clamping).toMatchObject({ kind: "chuckOutside", diameter: 30, face: -60 });
+  expect(summary(stated)).toContain("clamping as stated: chuck outside, D30, front at Z-60, tailstock at Z-2");
+  expect(unstated.clamping).toBeNull();
+  expect(summary(unstated)).toMatch(/clamping not stated: .*contact .* was not looked for/);
 });
