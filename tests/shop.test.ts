@@ -30,6 +30,8 @@ const shop: Readonly<Record<string, Said>> = {
   // What the insert leaves in the corners of the simple shoulders is their contour.
   chamfers: { infos: ["materialLeft"], left: 0.28 },
   "circlip-shaft": {},
+  // Its collet is stated: nothing meets it, and what is parted off is named.
+  "collet-ring": { partsOff: 1 },
   cone: { infos: ["airPasses"] },
   "drill-tap": {},
   "face-grooves": { infos: ["airPasses"] },

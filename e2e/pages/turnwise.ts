@@ -1,6 +1,7 @@
 import type { Page } from "@playwright/test";
 import { texts, type TableTexts, type Texts } from "../../src/i18n/index.ts";
 import type { Language } from "../../src/i18n/languages.ts";
+import { ClampingPage } from "./clamping.ts";
 import { Comparison } from "./comparison.ts";
 import { ContourTable } from "./contour-table.ts";
 import { Course } from "./course.ts";
@@ -54,6 +55,7 @@ export class Turnwise {
   readonly own: OwnCycles;
   readonly works: WorksList;
   readonly handing: Handing;
+  readonly clamping: ClampingPage;
   readonly comparison: Comparison;
   readonly sheet: SetupSheetPage;
   readonly course: Course;
@@ -78,6 +80,7 @@ export class Turnwise {
     this.own = new OwnCycles(context);
     this.works = new WorksList(context);
     this.handing = new Handing(context);
+    this.clamping = new ClampingPage(context);
     this.comparison = new Comparison(context);
     this.sheet = new SetupSheetPage(context);
     this.course = new Course(context);

@@ -1,4 +1,5 @@
 import { areaOf } from "./area.ts";
+import { boxAround } from "./box.ts";
 import { difference, intersection } from "./clip.ts";
 import { at, type Ring } from "./point.ts";
 import { real } from "./real-area.ts";
@@ -108,10 +109,9 @@ function gripBodies(c: Clamping): ClampBody[] {
   return [{ part: "jaws", rings: [ring] }, { part: "chuck", rings: [box(foot - deep, foot, radiusOf(bore), radiusOf(size))] }];
 }
 
-function tailstockBody({ tailstock }: Clamping): ClampBody[] {
-  if (!tailstock) return [];
-  const { quill, tip, angle } = tailstock, r = radiusOf(quill), full = tip + r / Math.tan(((angle / 2) * Math.PI) / 180);
-  return [{ part: "tailstock", rings: [[at(tip, 0), at(full + QUILL, 0), at(full + QUILL, r), at(full, r)]] }];
+function centreOf({ quill, tip, angle }: NonNullable<Clamping["tailstock"]>): Ring {
+  const r = radiusOf(quill), full = tip + r / Math.tan(((angle / 2) * Math.PI) / 180);
+  return [at(tip, 0), at(full + QUILL, 0), at(full + QUILL, r), at(full, r)];
 }
 
 /**
@@ -119,7 +119,8 @@ function tailstockBody({ tailstock }: Clamping): ClampBody[] {
  * stated limit. Jaws count all round: they turn.
  */
 export function clampingBodies(c: Clamping, blank: readonly Ring[]): readonly ClampBody[] {
-  const bodies = [...gripBodies(c), ...tailstockBody(c)].map(({ part, rings }) => ({ part, rings: difference(rings, blank) }));
+  const tailstock: readonly ClampBody[] = c.tailstock ? [{ part: "tailstock", rings: [centreOf(c.tailstock)] }] : [];
+  const bodies = [...gripBodies(c), ...tailstock].map(({ part, rings }) => ({ part, rings: difference(rings, blank) }));
   const { z = FAR, x = toDiameter(radius(FAR)) } = c.limit ?? {};
   return c.limit ? [...bodies, { part: "limit", rings: [box(-FAR, z, 0, radiusOf(x))] }] : bodies;
 }
@@ -133,4 +134,15 @@ export function missesBlank({ kind, diameter: d, length, face }: Clamping, blank
   const r = radiusOf(d), [back, inside] = [face - length, kind === "chuckInside"];
   const has = (low: number, high: number) => areaOf(real(intersection(blank, [box(back, face, Math.max(0, low), high)]))) > 0;
   return inside ? !has(r, r + NEAR) || has(0, r - NEAR) : !has(r - NEAR, r) || has(r + NEAR, FAR);
+}
+
+/**
+ * Where a clamping grips the work: a piece of the work that reaches into one of these areas is held. Between centres both ends are; a
+ * tailstock in front of a chuck supports the work and holds nothing by itself.
+ */
+export function gripZones(c: Clamping, blank: readonly Ring[]): readonly Ring[] {
+  const { kind, diameter: d, length, face, tailstock } = c, r = radiusOf(d);
+  if (kind !== "centres") return [box(face - length, face, Math.max(0, r - NEAR), r + NEAR)];
+  const { left, high } = boxAround(blank), driven = box(left, left + NEAR, 0, high);
+  return tailstock ? [driven, centreOf({ ...tailstock, tip: tailstock.tip - NEAR })] : [driven];
 }

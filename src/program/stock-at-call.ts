@@ -7,9 +7,9 @@ import type { Machine } from "./machine.ts";
 
 /** FUNCTION TURNDATA BLANK: from here on the run knows what stands. */
 export function traceBlank(machine: Machine, rings: readonly Ring[]): void {
-  const { shop, log } = machine;
+  const { shop, log, now: { clamping } } = machine;
   machine.hasTraced = true;
-  machine.traced = shop.tracing ? { blank: shop.tracing(rings), next: log.steps.length } : null;
+  machine.traced = shop.tracing ? { blank: shop.tracing(rings, clamping?.made ?? null), next: log.steps.length } : null;
 }
 
 /**

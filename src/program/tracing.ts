@@ -1,3 +1,4 @@
+import type { Clamping } from "../kernel/clamping.ts";
 import type { Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
 
@@ -9,4 +10,4 @@ export interface TracedBlank {
 }
 
 /** Begins to cut a blank: the simulation does it, and is handed to the run by whoever knows both. */
-export type Tracing = (blank: readonly Ring[]) => TracedBlank;
+export type Tracing = (blank: readonly Ring[], clamping: Clamping | null) => TracedBlank;

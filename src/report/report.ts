@@ -5,6 +5,7 @@ import type { Language } from "../i18n/languages.ts";
 import type { AnyIssue } from "../i18n/message-texts.ts";
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Kind } from "../cycles/params.ts";
+import type { Clamping } from "../kernel/clamping.ts";
 import type { Severity } from "../kernel/issue.ts";
 import { part, type Pt, type Segment } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
@@ -69,6 +70,8 @@ export interface Report {
   readonly file: string;
   readonly program: Run["program"];
   readonly stock: { readonly initial: readonly ReportRing[]; readonly final: readonly ReportRing[] };
+  /** What holds the work as it is stated; null: not stated, and nobody has looked whether anything meets it. */
+  readonly clamping: Clamping | null;
   readonly operations: readonly ReportOperation[];
   readonly moves: readonly ReportMove[];
   readonly proof: {
@@ -229,6 +232,7 @@ export function report(checked: Checked, language: Language): Report {
     file,
     program: run.program,
     stock: { initial: run.blank.map(ringOf), final: simulation.final.map(ringOf) },
+    clamping: run.clamping?.clamping ?? null,
     operations: run.operations.map(operation),
     moves: outsideCycles(run),
     proof: {

@@ -1,3 +1,4 @@
+import { KIND_WORDS } from "../program/clamping/words.ts";
 import type { Report, ReportOperation } from "./report.ts";
 import type { VerdictReason } from "./verdict.ts";
 
@@ -108,6 +109,14 @@ function cutLine({ cut, airPasses, deepest, holder }: Report["proof"]): string {
   return `  cut ${fixed(cut, 3)} mm²${depth}, ${many(airPasses, "pass", "passes")} in the air, holder ${holder}`;
 }
 
+/** What holds the work; where that is not stated nobody has looked for contact with it. */
+const clampingLine = ({ clamping: c }: Report): string =>
+  c
+    ? `  clamping as stated: ${KIND_WORDS[c.kind].toLowerCase()}, D${fixed(c.diameter, 3)}, front at Z${fixed(c.face, 3)}${
+      c.tailstock ? `, tailstock at Z${fixed(c.tailstock.tip, 3)}` : ""
+    }`
+    : "  clamping not stated: held at the rear end of the blank, contact with jaws, chuck or tailstock was not looked for";
+
 const leftLine = (r: Report["proof"]["residual"][number]) =>
   `    ${fixed(r.area, 3)} mm², up to ${fixed(r.thickness, 3)} mm thick: ${r.reason}`
   + (r.tools.length > 0 ? `; tools that take it: ${r.tools.join(", ")}` : "");
@@ -120,6 +129,7 @@ export function summary(r: Report): string {
   return [
     `${r.file}: ${r.program.name || "(no name)"}, ${r.program.unit}, ${r.program.blocks} blocks`,
     ...verdictLines(r.proof),
+    clampingLine(r),
     ...r.operations.map(operationLine),
     `  proof: gouge ${fixed(gouge, 3)} mm², rapid in stock ${fixed(rapidInStock, 3)} mm², left ${fixed(left, 3)}`
     + ` mm² in ${many(residual.length, "place", "places")}`,

@@ -10,7 +10,7 @@ import { inStock } from "./contact.ts";
 import { near, type Cutting } from "./cutting.ts";
 import { behind } from "./behind.ts";
 import type { Edges } from "./edges.ts";
-import type { Loose, RearEnd } from "./held.ts";
+import type { WorkHold, Loose } from "./held.ts";
 import { worksOn } from "./on-loose.ts";
 import { holderHits } from "./holder.ts";
 import type { Outlines } from "./outlines.ts";
@@ -32,8 +32,8 @@ export interface Finished {
 export interface Against {
   readonly steps: readonly Step[];
   readonly finished: Finished;
-  /** Where the blank ends; null where there is none. */
-  readonly rear: RearEnd | null;
+  /** What holds the blank; null where there is none. */
+  readonly hold: WorkHold | null;
   /** A clamping is stated: what stands behind the blank is known. */
   readonly isClamped: boolean;
   /** What has come off and is no longer there. */
@@ -47,7 +47,7 @@ const broughtTo = (step: Step): Step => ({ ...step, move: { kind: "rapid", phase
 
 /** What goes wrong in a step, before its sweep is taken from the stock. */
 export function check(index: number, sweep: Sweep, cut: Cutting, against: Against): AnyFinding[] {
-  const { steps, finished, rear, loose } = against;
+  const { steps, finished, hold, loose } = against;
   const step = steps[index] as Step, outlines = against.outlines(step.tool);
   const found: AnyFinding[] = [];
   const report = (
@@ -98,8 +98,8 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
     }
   }
   report("holderContact", sure(holderHits(step, outlines, now)));
-  if (rear && !against.isClamped)
-    report(step.move.kind === "rapid" ? "rapidBehindBlank" : "feedBehindBlank", behind(sweep, rear), { ...step, rear: rear.z });
+  if (hold && !against.isClamped)
+    report(step.move.kind === "rapid" ? "rapidBehindBlank" : "feedBehindBlank", behind(sweep, hold.rear), { ...step, rear: hold.rear.z });
   if (loose && step.move.kind !== "rapid" && sweep.pieces.some((p) => loose.edges.meets(p)) && worksOn(loose, index, cut, against))
     report("cutOnLoosePiece", real(intersection(loose.rings, sweep.rings)));
   if (step.move.kind === "rapid") return found;

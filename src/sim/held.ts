@@ -1,5 +1,6 @@
 import { areaOf, areaOfRing } from "../kernel/area.ts";
 import { boxAround } from "../kernel/box.ts";
+import { gripZones, missesBlank, type Clamping } from "../kernel/clamping.ts";
 import { intersection, offset, union } from "../kernel/clip.ts";
 import { isBar } from "../kernel/insert.ts";
 import type { Ring } from "../kernel/point.ts";
@@ -16,16 +17,36 @@ export interface RearEnd {
   readonly outside: number;
 }
 
-/** Where a blank ends that is held there. */
-export function rearOf(blank: readonly Ring[]): RearEnd | null {
+/** What holds a work. */
+export interface WorkHold {
+  readonly rear: RearEnd;
+  /** Where a stated clamping grips; null where the rear end holds. */
+  readonly zones: readonly Ring[] | null;
+}
+
+/** Where a blank ends. */
+function rearOf(blank: readonly Ring[]): RearEnd | null {
   if (areaOf(blank) < REAL_AREA) return null;
   const { left, high } = boxAround(blank);
   return { z: left, outside: high };
 }
 
+/** What holds a blank: a stated clamping that grips it, or its rear end. Null where there is no blank. */
+export function holdOf(blank: readonly Ring[], clamping: Clamping | null): WorkHold | null {
+  const rear = rearOf(blank);
+  return rear && { rear, zones: clamping && !missesBlank(clamping, blank) ? gripZones(clamping, blank) : null };
+}
+
+/** What of a clamping says where it grips. */
+const gripOf = (c: Clamping | null) => c && [c.kind, c.diameter, c.length, c.face, c.kind === "centres" ? c.tailstock : null];
+
+/** Whether two clampings hold a blank in the same places. */
+export const sameHold = (a: Clamping | null, b: Clamping | null): boolean =>
+  a === b || JSON.stringify(gripOf(a)) === JSON.stringify(gripOf(b));
+
 const ringsOf = (regions: readonly Region[]): Ring[] => regions.flatMap(({ outline, holes }) => [outline, ...holes]);
 
-/** What hangs together with the rear end, and what does not any more. */
+/** What hangs together with what holds the work, and what does not any more. */
 interface Apart {
   readonly held: readonly Ring[];
   readonly loose: readonly Region[];
@@ -36,16 +57,26 @@ export interface Parted extends Apart {
   readonly step: number;
 }
 
-/**
- * Parts a stock into what is held at its rear end and what is loose; null where all of it hangs together. Where nothing reaches the rear
- * end any more, the piece that reaches farthest back is held.
- */
-export function brokenApart(stock: readonly Ring[], rear: RearEnd): Apart | null {
-  if (stock.filter((ring) => areaOfRing(ring) > 0).length < 2) return null;
-  const regions = regionsOf(stock, 0);
+/** The pieces in the grip of a clamping. */
+const gripped = (regions: readonly Region[], zones: readonly Ring[]): readonly Region[] =>
+  regions.filter((region) => areaOf(intersection(ringsOf([region]), zones)) >= REAL_AREA);
+
+/** The pieces at the rear end; where nothing reaches it any more, the one that reaches farthest back. */
+function atRear(regions: readonly Region[], rear: RearEnd): readonly Region[] {
   const back = ({ outline }: Region) => boxAround([outline]).left;
   const farthest = Math.max(rear.z, Math.min(...regions.map(back)));
-  const isHeld = (region: Region) => back(region) <= farthest + SAME;
+  return regions.filter((region) => back(region) <= farthest + SAME);
+}
+
+/**
+ * Parts a stock into what is held and what is loose; null where all of it hangs together. A clamping with nothing left in its grip has met
+ * the tool, which is an error of its own: then the rear end counts.
+ */
+export function brokenApart(stock: readonly Ring[], { rear, zones }: WorkHold): Apart | null {
+  if (stock.filter((ring) => areaOfRing(ring) > 0).length < 2) return null;
+  const regions = regionsOf(stock, 0), inGrip = zones ? gripped(regions, zones) : [];
+  const held = new Set(inGrip.length > 0 ? inGrip : atRear(regions, rear));
+  const isHeld = (region: Region) => held.has(region);
   const loose = regions.filter((region) => !isHeld(region));
   if (!loose.some(({ area }) => area >= REAL_AREA)) return null;
   return { held: ringsOf(regions.filter(isHeld)), loose };
@@ -94,7 +125,7 @@ export interface Loose {
 
 /** Where a run's work is held, and what has come off it. */
 export interface Holding {
-  rear(): RearEnd | null;
+  hold(): WorkHold | null;
   /** The blank as it was stated. */
   blank(): readonly Ring[];
   /** What has come off before a step. */
@@ -107,14 +138,14 @@ export interface Holding {
   parted(): readonly Parted[];
 }
 
-/** Begins to hold a blank at its rear end; `before` is what came off in the steps that are not looked at again. */
-export function holding(blank: readonly Ring[], before: readonly Parted[]): Holding {
-  let [now, rear] = [blank, rearOf(blank)];
+/** Begins to hold a blank; `before` is what came off in the steps that are not looked at again. */
+export function holding(blank: readonly Ring[], clamping: Clamping | null, before: readonly Parted[]): Holding {
+  let [now, hold] = [blank, holdOf(blank, clamping)];
   const parted = [...before];
   let since = 0;
   let known: { readonly count: number; readonly loose: Loose } | null = null;
   return {
-    rear: () => rear,
+    hold: () => hold,
     blank: () => now,
     loose(step) {
       const fallen = parted.slice(since).filter((each) => each.step <= step);
@@ -126,12 +157,12 @@ export function holding(blank: readonly Ring[], before: readonly Parted[]): Hold
       return known.loose;
     },
     look(step, stock) {
-      const apart = rear && brokenApart(stock, rear), found = apart && { step, ...apart };
+      const apart = hold && brokenApart(stock, hold), found = apart && { step, ...apart };
       if (found) parted.push(found);
       return found;
     },
     change(next) {
-      [now, rear, since, known] = [next, rearOf(next), parted.length, null];
+      [now, hold, since, known] = [next, holdOf(next, clamping), parted.length, null];
     },
     parted: () => parted,
   };

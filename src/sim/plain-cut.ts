@@ -9,7 +9,7 @@ import type { Step } from "../kernel/step.ts";
 import { CHORD } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { merged, type Cutting } from "./cutting.ts";
-import { brokenApart, type RearEnd } from "./held.ts";
+import { brokenApart, type WorkHold } from "./held.ts";
 import type { Outlines } from "./outlines.ts";
 import type { SimulatedOperation } from "./simulation.ts";
 import { sweptBy, turned } from "./sweep.ts";
@@ -125,7 +125,7 @@ function goesThrough({ line }: Surface, step: Step, insert: Ring): boolean {
 export interface Beside {
   readonly steps: readonly Step[];
   readonly surfaces: readonly Surface[];
-  readonly rear: RearEnd | null;
+  readonly hold: WorkHold | null;
   readonly outlines: (tool: Tool) => Outlines;
 }
 
@@ -165,7 +165,7 @@ export function judgePlainCut(index: number, area: readonly Ring[], cut: Cutting
  * Whether a cut makes an end of the part: what its tool cuts there before anything else leaves nothing in front of it that is still held. A
  * part is faced so, and parted off, which may take a groove and a chamfer before.
  */
-function makesEnd(index: number, area: readonly Ring[], stock: readonly Ring[], { steps, rear, outlines }: Beside): boolean {
+function makesEnd(index: number, area: readonly Ring[], stock: readonly Ring[], { steps, hold, outlines }: Beside): boolean {
   const step = steps[index] as Step, { insert } = outlines(step.tool), own = boxAround(area);
   const after: Ring[] = [];
   for (let i = index, few = 0; i < steps.length && few < FEW; i += 1) {
@@ -177,7 +177,7 @@ function makesEnd(index: number, area: readonly Ring[], stock: readonly Ring[], 
     if (box.left < own.right + AGAINST && box.right > own.left - AGAINST) after.push(...rings);
   }
   const left = difference(stock, merged(after));
-  const held = (rear && brokenApart(left, rear)?.held) ?? left;
+  const held = (hold && brokenApart(left, hold)?.held) ?? left;
   const front = { left: own.left + AGAINST, right: Infinity, low: -Infinity, high: Infinity };
   return areaOf(real(inBox(held, front))) < REAL_AREA;
 }

@@ -9,7 +9,7 @@ import type { Finished } from "./check.ts";
 import type { Cutting } from "./cutting.ts";
 import { sidesOf } from "./edges.ts";
 import type { MeasuredSoFar, StockMeasure } from "./measure.ts";
-import type { Parted } from "./held.ts";
+import { sameHold, type Parted } from "./held.ts";
 import type { Outlines } from "./outlines.ts";
 import { isPlainCut, plainSince, type Surface } from "./plain-cut.ts";
 import { sameRings, sameSteps } from "./same-step.ts";
@@ -118,16 +118,20 @@ function touching(
   });
 }
 
+/** Whether what holds the work is stated. */
+export const hasClamping = ({ clamping }: SimulationInput): boolean => clamping !== null && clamping !== undefined;
+
+/** Whether two runs begin with the same blank, held in the same places. */
+const sameBlank = (a: SimulationInput, b: SimulationInput): boolean =>
+  sameRings(a.blank, b.blank) && sameHold(a.clamping?.clamping ?? null, b.clamping?.clamping ?? null);
+
 /** Of some runs the one that has most in common with another at its beginning, where something of that was kept; the first of them. */
 export function nearestRun(known: readonly Former[], input: SimulationInput): Former | null {
   const [first, ...others] = known;
   if (!first || others.length === 0) return first ?? null;
-  const common = known.map((former) => (sameRings(former.input.blank, input.blank) ? commonSteps(former.input, input) : -1));
+  const common = known.map((former) => (sameBlank(former.input, input) ? commonSteps(former.input, input) : -1));
   return known[common.indexOf(Math.max(...common))] ?? null;
 }
-
-/** Whether what holds the work is stated. */
-export const hasClamping = ({ clamping }: SimulationInput): boolean => clamping !== null && clamping !== undefined;
 
 /** Where a run goes on from the one before it; null where they have nothing in common that was kept. */
 export function resumed(
@@ -136,7 +140,7 @@ export function resumed(
   finished: Finished,
   outlines: (tool: Step["tool"]) => Outlines,
 ): Resumed | null {
-  if (!sameRings(former.input.blank, input.blank) || hasClamping(former.input) !== hasClamping(input)) return null;
+  if (!sameBlank(former.input, input)) return null;
   const common = commonSteps(former.input, input);
   // A step of another operation has ended what was measured before it.
   const from = former.snapshots.findLast(({ step, measure }) =>

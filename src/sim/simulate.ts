@@ -162,12 +162,12 @@ function simulated(
     const touching = shapes.checked === shapes.insert ? sweep : sweptBy(shapes.checked, step);
     return {
       sweep,
-      check: (cut) => check(index, touching, cut, { ...always, finished: setups.finished(), rear: held.rear(), loose: held.loose(index) }),
+      check: (cut) => check(index, touching, cut, { ...always, finished: setups.finished(), hold: held.hold(), loose: held.loose(index) }),
     };
   };
   const resume = former && resumed(former, input, setups.atFirst, outlines);
   const from = resume?.from;
-  const held = holding(blank, former && from ? former.parted.filter(({ step }) => step < from.step) : []);
+  const held = holding(blank, input.clamping?.clamping ?? null, former && from ? former.parted.filter(({ step }) => step < from.step) : []);
   const damage = former && resume ? damageBefore(resume, former, input, look) : new Map<number, readonly AnyFinding[]>();
   const isContact = (found: readonly AnyFinding[]) => found.some((f) => CONTACTS.has(f.kind));
   let contacts = [...damage.values()].filter(isContact).length;
@@ -199,7 +199,7 @@ function simulated(
   }
   /** Whether something is left to hold, before another blank takes its place or at the end. */
   function lookHeld(stock: readonly Ring[], end: number): void {
-    const rear = held.rear(), place = unheldAt(held.blank(), stock, rear);
+    const rear = held.hold()?.rear ?? null, place = unheldAt(held.blank(), stock, rear);
     const lastCut = place ? steps.findLastIndex(({ move }, k) => k < end && move.kind !== "rapid") : -1;
     if (!rear || !place || lastCut < 0 || hasClamping(input)) return;
     const operation = cutsAtRear(operations.slice(0, setups.begunBefore(end)), rear);

@@ -1,5 +1,7 @@
+import type { Clamping } from "../kernel/clamping.ts";
 import type { Ring } from "../kernel/point.ts";
 import type { Step } from "../kernel/step.ts";
+import { sameHold } from "./held.ts";
 import { sameRings, sameSteps } from "./same-step.ts";
 import { tracing } from "./tracing.ts";
 
@@ -12,6 +14,7 @@ interface Stage {
 /** A blank that was traced. */
 interface Traced {
   readonly blank: readonly Ring[];
+  readonly clamping: Clamping | null;
   readonly stages: readonly Stage[];
 }
 
@@ -25,14 +28,14 @@ export function tracingAgain(): { readonly tracing: typeof tracing; next(): void
     next() {
       [now, before] = [[], now];
     },
-    tracing(blank) {
+    tracing(blank, clamping) {
       const same = sameSteps();
       const former = before[now.length];
       const stages: Stage[] = [];
-      now.push({ blank, stages });
+      now.push({ blank, clamping, stages });
       let steps: Step[] = [];
       let stock = blank;
-      let known = former !== undefined && sameRings(former.blank, blank);
+      let known = former !== undefined && sameRings(former.blank, blank) && sameHold(former.clamping, clamping);
       return {
         add: (step) => void steps.push(step),
         stock() {
@@ -40,7 +43,7 @@ export function tracingAgain(): { readonly tracing: typeof tracing; next(): void
           known = stage !== undefined && stage.steps.length === steps.length && stage.steps.every((s, i) => same(s, steps[i] as Step));
           if (stage && known) ({ stock } = stage);
           else {
-            const cut = tracing(stock);
+            const cut = tracing(stock, clamping);
             steps.forEach(cut.add);
             stock = cut.stock();
           }

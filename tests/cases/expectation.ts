@@ -84,6 +84,7 @@ export const SEVERITY: Readonly<Record<string, "error" | "warning" | "info">> = 
   rapidInStock: "error",
   gouge: "error",
   holderContact: "error",
+  cameLoose: "warning",
   clampContact: "error",
   materialLeft: "warning",
   threadOverruns: "error",

@@ -10,6 +10,13 @@ export const expected: Readonly<Record<string, Expected>> = {
     verdict: "faults",
     ...clean,
   },
+  "ring-out-of-a-disc": {
+    says: "stated jaws hold the ring: the core cut out of it falls, though it reaches the rear end as well",
+    has: { cameLoose: 1 },
+    hasNot: ["clampContact", "behindBlank"],
+    mostErrors: 0,
+    verdict: "proved",
+  },
   "p03-812-cyl-chamfer-506-2": { says: "the last level lies on the cylinder, whatever the chamfer", lastLevel: 50.4, ...clean },
   "p06-exactk": {
     says: "steps of Q506 = 2 stay for want of smoothing, not as oversize",

@@ -40,6 +40,16 @@ test("a finger on a number field brings the keypad and keeps the keyboard of the
   expect(field("name").inputMode).toBe("");
 });
 
+test("a finger on something else meets it where it stands: the keypad goes a picture later", async () => {
+  render(<Fields />);
+  touch(field("field 1"));
+  await screen.findByRole("group", { name: "Keypad" });
+  touch(field("name"));
+  await Promise.resolve();
+  expect(keypad()).not.toBeNull();
+  await waitFor(() => expect(keypad()).toBeNull());
+});
+
 test("a mouse does not bring it", async () => {
   render(<Fields />);
   touch(field("field 1"), "mouse");

@@ -30,7 +30,7 @@ export function NumberKeys() {
         focused.inputMode = "none";
         fresh.current = focused;
         setField(focused);
-      } else setField(null);
+      }
     };
     // As in the prompts, what is typed first takes the place of what stands there; the next touch sets the caret. The field may have
     // moved away under the finger when its keypad came.
@@ -42,7 +42,8 @@ export function NumberKeys() {
     const onKey = ({ target }: MouseEvent) => {
       if (target instanceof Element && target.closest(".field-keypad")) onClick();
     };
-    // A field that is taken out of the page is not always left first.
+    // A field that is taken out of the page is not always left first. The page moves when the keypad goes: only when the tap that took the
+    // keyboard elsewhere has met what it was for.
     const onLeave = () =>
       requestAnimationFrame(() => {
         if (spelled.current && document.activeElement !== spelled.current) {

@@ -27,6 +27,7 @@ import { ChosenPath, HoveredMove } from "./Chosen.tsx";
 import { GlyphButton } from "./GlyphButton.tsx";
 import { pressKey } from "./keys.ts";
 import { AskedMarks, KnownMarks, knownText } from "./KnownMarks.tsx";
+import { HeldNote } from "./HeldNote.tsx";
 import { Legend } from "./Legend.tsx";
 import { Marks } from "./Marks.tsx";
 import { MoveTable } from "./MoveTable.tsx";
@@ -224,6 +225,7 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
               } chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
                 hovered={<HoveredMove run={run} hover={hover} />}
               >
+                {scene.chuck?.unstated && <HeldNote viewport={viewport} plane={scene.chuck.unstated} />}
                 <Marks viewport={viewport} starts={starts} datum={datum} />
                 <LoadPart.Mark run={run} seeing={seenFlat(viewport)} />
                 {typed && <KnownMarks viewport={viewport} known={typed} />}

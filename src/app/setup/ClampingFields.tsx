@@ -1,6 +1,7 @@
 import { CHUCK_SIZES } from "../../kernel/clamping.ts";
 import { clampingField, isNeeded } from "../../program/clamping/draft.ts";
-import { CENTRE_ANGLE, CLAMPING_KINDS, wordsOfKind, type ClampingDraft, type ClampingWord } from "../../program/clamping/words.ts";
+import { CENTRE_ANGLE, CLAMPING_KINDS, CLAMPING_WORDS, wordsOfKind, type ClampingDraft,
+  type ClampingWord } from "../../program/clamping/words.ts";
 import { Icon } from "../Icon.tsx";
 import { useClampingTexts } from "./clamping-texts.ts";
 import { NumberField } from "./NumberField.tsx";
@@ -17,6 +18,8 @@ interface Props {
 
 /** Words of the tailstock, and of the limits. */
 const CENTRE: readonly ClampingWord[] = ["QUILL", "TIP", "ANGLE"];
+/** The fields in their order, the switch of the tailstock before its own. */
+const WORDS = CLAMPING_WORDS.flatMap((word) => (word === CENTRE[0] ? ["tailstock", word] as const : [word]));
 const DIAMETERS: ReadonlySet<ClampingWord> = new Set(["D", "SIZE", "QUILL", "LIMITX"]);
 
 /** What the work is held by: nothing is stated, and that is said, or kind and values. */
@@ -44,6 +47,13 @@ export function ClampingFields({ draft, set, propose, inch = false }: Props) {
   const others = Object.fromEntries(Object.entries(words).filter(([word]) => !CENTRE.some((each) => each === word)));
   const unitOf = (word: ClampingWord) =>
     word === "ANGLE" ? "°" : t.units[inch ? "inch" : "mm"][DIAMETERS.has(word) ? "diameter" : "length"];
+  const tailstock = (
+    <label key="tailstock" className="choice">
+      <input type="checkbox" checked={onCentre}
+        onChange={({ currentTarget: { checked } }) => set({ kind, words: checked ? { ...others, QUILL: "", TIP: "" } : others }, null)} />
+      <span>{t.tailstock}</span>
+    </label>
+  );
   const shown = wordsOfKind(kind).filter((word) => onCentre || !CENTRE.includes(word));
   return (
     <>
@@ -56,7 +66,9 @@ export function ClampingFields({ draft, set, propose, inch = false }: Props) {
           {CLAMPING_KINDS.map((each) => <option key={each} value={each}>{t.kinds[each]}</option>)}
         </select>
       </label>
-      {shown.map((word) => {
+      {WORDS.map((word) => {
+        if (word === "tailstock") return isBetween ? null : tailstock;
+        if (!shown.includes(word)) return null;
         const needed = isNeeded(kind, word) || (onCentre && (word === "QUILL" || word === "TIP"));
         const name = word === "D" ? t.grips[kind] : word === "SIZE" && kind === "collet" ? t.nose : t.words[word];
         const typed = words[word] ?? "";
@@ -78,13 +90,6 @@ export function ClampingFields({ draft, set, propose, inch = false }: Props) {
           </div>
         );
       })}
-      {!isBetween && (
-        <label className="choice">
-          <input type="checkbox" checked={onCentre} onChange={({ currentTarget: { checked } }) =>
-            set({ kind, words: checked ? { ...others, QUILL: "", TIP: "" } : others }, null)} />
-          <span>{t.tailstock}</span>
-        </label>
-      )}
       <p className="small soft">{t.known}</p>
       <p>
         <button type="button" className="button" onClick={() => set(null, null)}>{t.remove}</button>

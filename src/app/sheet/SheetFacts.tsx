@@ -3,7 +3,7 @@ import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { ClampingTexts } from "../../i18n/en/clamping.ts";
 import type { Clamping } from "../../kernel/clamping.ts";
 import { SAME } from "../../kernel/tolerance.ts";
-import { diameter, radius, toDiameter } from "../../kernel/units.ts";
+import { radius, toDiameter } from "../../kernel/units.ts";
 import { boundsOf } from "../../view/bounds.ts";
 import { missingFiles } from "../files/missing-files.ts";
 import { filesOf, type ProgramWork } from "../work.ts";
@@ -19,10 +19,10 @@ function zeroText(t: SheetTexts["facts"], words: SheetWords, front: number): str
   return words.units(front > 0 ? t.zeroBehind(words.length(front)) : t.zeroBefore(words.length(-front)));
 }
 
-/** A stated clamping in the words of its fields. */
-function clampingSaid(c: Clamping, t: ClampingTexts, words: SheetWords, comma: string): string {
-  const across = (d: number) => words.diameter(diameter(d)), along = (z: number) => words.signed(z);
-  const said = (name: string, value: string) => [`${name.replace(/\s*⌀/u, "")} ${value}`];
+/** A stated clamping in the words of its fields, each on a line. */
+function clampingSaid(c: Clamping, t: ClampingTexts, words: SheetWords): readonly string[] {
+  // The names of diameters have their sign already.
+  const across = words.length, along = words.signed, said = (name: string, value: string) => [`${name} ${value}`];
   const { tailstock, limit, size } = c;
   return [
     t.kinds[c.kind],
@@ -33,7 +33,7 @@ function clampingSaid(c: Clamping, t: ClampingTexts, words: SheetWords, comma: s
     ...(tailstock ? [...said(t.words.QUILL, across(tailstock.quill)), ...said(t.words.TIP, along(tailstock.tip))] : []),
     ...(limit?.z === undefined ? [] : said(t.words.LIMITZ, along(limit.z))),
     ...(limit?.x === undefined ? [] : said(t.words.LIMITX, across(limit.x))),
-  ].join(comma);
+  ];
 }
 
 /** What the setter needs beside the drawing. */
@@ -64,7 +64,9 @@ export function SheetFacts({ source: { data, outcome }, work, t, words, comma }:
     [t.preset, data.presets.length > 0 ? t.presets(data.presets.join(comma)) : t.asMachine],
     [t.shift, data.shifts.length > 0 ? data.shifts.map(words.start).join(comma) : t.noShift],
     ...(cuts ? [[t.reach, `Z${words.signed(cuts.left)}`] as const] : []),
-    held && clamping ? [clamping.title, words.units(clampingSaid(held, clamping, words, comma))] : [t.clamping, BLANK_LINE],
+    held && clamping
+      ? [clamping.title, clampingSaid(held, clamping, words).map((each) => <span key={each}>{words.units(each)}</span>)]
+      : [t.clamping, BLANK_LINE],
     [t.pressure, BLANK_LINE],
     ...(limits.length > 0 ? [[t.speed, words.most(Math.max(...limits))] as const] : []),
     [t.changes, String(data.toolChanges)],

@@ -39,7 +39,7 @@ export const lathe = {
   rulerFlat: "Gemessen wird im Schnitt: danach kommt 3D wieder",
   legend: "Linien",
   holder: "Halter",
-  held: { stated: "Spannung, wie angegeben", unstated: "Hinteres Ende: Spannung nicht angegeben" },
+  held: { stated: "Spannung, wie angegeben", unstated: "Hinteres Ende: Spannung nicht angegeben", note: "Spannung nicht angegeben" },
   paths: {
     title: "Welche Bahnen zu sehen sind",
     all: "Alle Bahnen",

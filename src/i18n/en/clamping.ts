@@ -35,7 +35,7 @@ export const clamping = {
   },
   tailstock: "With tailstock",
   known: "Drawn to scale; contact of tool or holder with it is an error. Jaws are those of usual power chucks: measure yours.",
-  inProgram: "Kept in the program as a comment, ; CLAMPING …, which a control passes over.",
+  inProgram: "Kept in the program as a comment, ;\u00A0CLAMPING …, which a control passes over.",
   units: { mm: { diameter: "mm ⌀", length: "mm" }, inch: { diameter: "inch ⌀", length: "inch" } },
 };
 

@@ -40,7 +40,7 @@ export const lathe = {
   rulerFlat: "Measures in the section: 3D comes back after it",
   legend: "Lines",
   holder: "Holder",
-  held: { stated: "Clamping, as stated", unstated: "Rear end: clamping not stated" },
+  held: { stated: "Clamping, as stated", unstated: "Rear end: clamping not stated", note: "Clamping not stated" },
   paths: {
     title: "Which paths are shown",
     all: "All paths",

@@ -39,7 +39,7 @@ export const lathe = {
   rulerFlat: "La mesure se fait dans la coupe : la 3D revient ensuite",
   legend: "Traits",
   holder: "Porte-outil",
-  held: { stated: "Bridage, tel qu’indiqué", unstated: "Extrémité arrière : bridage non indiqué" },
+  held: { stated: "Serrage, tel qu’indiqué", unstated: "Extrémité arrière : serrage non indiqué", note: "Serrage non indiqué" },
   paths: {
     title: "Trajectoires affichées",
     all: "Toutes",

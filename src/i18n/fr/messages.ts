@@ -228,7 +228,7 @@ export const messages = {
     clampContact: (d, w) =>
       `${d.by === "tool" ? "L’outil" : "Le porte-outil"} heurte ${CLAMPED[d.part]} en ${
         w.place(d.x, d.z)
-      }. Terminer la passe avant ou brider autrement.`,
+      }. Terminer la passe avant ou serrer autrement.`,
     contactsUnlooked: (d) =>
       `${d.limit} déplacements entament la pièce, entrent en rapide dans la matière ou la touchent avec le porte-outil : à `
       + "partir d’ici, cela n’a plus été recherché.",
@@ -309,10 +309,10 @@ export const messages = {
     divisionByZero: () => "Division par zéro.",
     notFinite: (d, w) => `« ${w.text(d.text)} » ne donne pas de nombre utilisable.`,
     clampingUnread: (d, w) => `CLAMPING : « ${w.text(d.what)} » n’est pas compris et ne compte pas.`,
-    clampingIncomplete: (d) => `CLAMPING ne compte pas : ${d.words} manque ou est impossible. Rien n’est connu du bridage.`,
+    clampingIncomplete: (d) => `CLAMPING ne compte pas : ${d.words} manque ou est impossible. Rien n’est connu du serrage.`,
     clampingTwice: () => "CLAMPING figure deux fois : le premier compte. Effacer celui-ci.",
     clampingMisses: (d, w) =>
-      `Le bridage ne serre pas la pièce brute : aucune surface de ${
+      `Le serrage ne tient pas la pièce brute : aucune surface de ${
         w.diameter(d.diameter)
       } dans la prise. Vérifier ⌀, longueur et face de CLAMPING.`,
     blankMissing: () => "Le programme n’indique pas de brut.",

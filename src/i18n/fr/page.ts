@@ -165,7 +165,7 @@ export const page = {
     fold: "Replier le programme",
     unfold: "Afficher le programme",
     setupSheet: "Fiche de réglage",
-    clamping: "Bridage",
+    clamping: "Serrage",
     workshopDrawing: "Dessin d’atelier",
     handOn: "Transmettre",
     exportPart: "Exporter la pièce",

@@ -44,7 +44,7 @@ export const sheet: SheetTexts = {
   drawingOf: (name) => `Brut, mandrin et pièce finie de ${name} à l’échelle`,
   scale: (paper, part) => `Échelle ${paper} : ${part}`,
   brackets: "( ) brut",
-  chuckNote: "bridage non indiqué",
+  chuckNote: "serrage non indiqué",
   leftOut: (n) => (n === 1 ? "1 cote n’avait pas de place" : `${n} cotes n’avaient pas de place`),
   noDrawing: "Rien n’est tourné : il n’y a pas de coupe à dessiner.",
   thread: (diameter, lead, starts) => (starts > 1 ? `${diameter}×${lead} (${starts})` : `${diameter}×${lead}`),

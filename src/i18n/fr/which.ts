@@ -61,7 +61,7 @@ export const which = typeset<WhichTexts>({
     gouge: "Il entame la pièce finie.",
     rapidInStock: "Un rapide entre dans la matière.",
     holderContact: "Le porte-outil touche la matière.",
-    clampContact: "L’outil ou le porte-outil heurte le bridage.",
+    clampContact: "L’outil ou le porte-outil heurte le serrage.",
     nothingCut: "Il n’enlève rien.",
     unproved: "Tout ne peut pas être contrôlé.",
     leavesMost: "Il en laisse la plus grande partie.",

@@ -34,6 +34,6 @@ export const clamping: ClampingTexts = {
   },
   tailstock: "使用尾座",
   known: "按比例绘制；刀具或刀杆与其碰撞为错误。卡爪按常用动力卡盘：请测量实物。",
-  inProgram: "以注释 ; CLAMPING … 保存在程序中，数控系统会忽略。",
+  inProgram: "以注释 ;\u00A0CLAMPING … 保存在程序中，数控系统会忽略。",
   units: { mm: { diameter: "mm ⌀", length: "mm" }, inch: { diameter: "英寸 ⌀", length: "英寸" } },
 };

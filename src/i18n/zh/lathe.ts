@@ -38,7 +38,7 @@ export const lathe = {
   rulerFlat: "在剖面上测量，之后回到 3D",
   legend: "线型",
   holder: "刀杆",
-  held: { stated: "装夹（按给定）", unstated: "后端：未给定装夹" },
+  held: { stated: "装夹（按给定）", unstated: "后端：未给定装夹", note: "未给定装夹" },
   paths: {
     title: "显示哪些路径",
     all: "全部路径",

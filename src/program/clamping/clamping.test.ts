@@ -7,6 +7,8 @@ import { at } from "../../kernel/point.ts";
 import { parse } from "../../nc/parse.ts";
 import { simulate, simulating } from "../../sim/simulate.ts";
 import { stockIssues } from "../../sim/issues.ts";
+import { report } from "../../report/report.ts";
+import { summary } from "../../report/summary.ts";
 import { run } from "../run.ts";
 import { shippedTools } from "../shipped-tools.ts";
 import { clampingIn, proposedClamping, withClamping } from "./draft.ts";
@@ -135,6 +137,19 @@ describe("contact", () => {
     expect(contacts(turned(held, -50)).some((each) => each.startsWith("tailstock"))).toBe(true);
     expect(contacts(turned(`${HELD} QUILL4 TIP-2`, -50))).toEqual([]);
   });
+  test("the body of the chuck is met behind its jaws, and a driver and a collet are met like them", () => {
+    const long = (stated: string) => contacts(turned(`; CLAMPING ${stated}`, -79.5));
+    expect(long("CHUCK INSIDE D10 LENGTH20 FACE-30 SIZE160")).toContain("chuck tool");
+    expect(long("COLLET D30 LENGTH20 FACE-60 SIZE90")).toContain("collet tool");
+    expect(long("BETWEEN CENTRES D60 FACE-70 QUILL10 TIP-2")).toContain("driver tool");
+    expect(long("CHUCK OUTSIDE D30 LENGTH4 FACE-76 SIZE160 QUILL80 TIP-4 ANGLE120")).toContain("tailstock tool");
+  });
+  test("a changed grip is cut again where its run is known: other pieces come loose", () => {
+    const again = simulating(), disc = readFileSync("tests/cases/ring-out-of-a-disc.h", "utf8");
+    const loose = (text: string) => again(ran(text)).proof.loose.map(({ shape }) => shape);
+    const beside = disc.replace("SOFT JAWS D80", "SOFT JAWS D76");
+    expect([loose(disc), loose(beside), loose(disc), loose(disc.replace(/; CLAMPING.*/, "; none"))]).toEqual([["slug"], [], ["slug"], []]);
+  });
   test("changed in a run that is known it is looked at again", () => {
     const again = simulating();
     const count = (text: string) => again(ran(text)).findings.filter(({ kind }) => kind === "clampContact").length;
@@ -169,4 +184,16 @@ test("a program gets its clamping behind the blank, another one in its place, an
   expect(clampingIn(parse(raw(stated)))?.draft).toEqual(draft);
   expect(raw(withClamping(stated, { ...draft, kind: "softJaws" })).split("\n")[2]).toContain("; CLAMPING SOFT JAWS D30");
   expect(raw(withClamping(stated, null))).toBe(text);
+});
+
+test("the report says what holds the work, and that nothing was looked at where it is not stated", () => {
+  const reported = (text: string) => {
+    const made = ran(text);
+    return report({ file: "a.h", run: made, simulation: simulate(made), milliseconds: { parse: 0, plan: 0, simulate: 0 } }, "en");
+  };
+  const stated = reported(turned(`${HELD} QUILL4 TIP-2`, -50)), unstated = reported(turned("; none", -50));
+  expect(stated.clamping).toMatchObject({ kind: "chuckOutside", diameter: 30, face: -60 });
+  expect(summary(stated)).toContain("clamping as stated: chuck outside, D30, front at Z-60, tailstock at Z-2");
+  expect(unstated.clamping).toBeNull();
+  expect(summary(unstated)).toMatch(/clamping not stated: .*contact .* was not looked for/);
 });

@@ -1,10 +1,10 @@
 import type { Clamped } from "../../kernel/clamping.ts";
-import { intersection } from "../../kernel/clip.ts";
 import type { Pt, Ring, Segment } from "../../kernel/point.ts";
 import { at, part } from "../../kernel/point.ts";
 import { type Diameter, toDiameter } from "../../kernel/units.ts";
 import { boundsOf, joined, mirrored } from "../bounds.ts";
-import type { Bounds, Place } from "../camera.ts";
+import type { Place } from "../camera.ts";
+import { clampingNear } from "./clamping-on-paper.ts";
 import { heldPlane } from "../held-plane.ts";
 import { textWidth, type LabelBox } from "../help/labels.ts";
 import { featuresOf, type DiameterFeature, type PositionFeature, type TurnedContour } from "./features.ts";
@@ -35,8 +35,8 @@ export interface DrawingWords {
 }
 
 /** What a line or an area of the drawing stands for; its weight and dashes belong to whoever paints it. */
-export type DrawingRole = "chuck" | "blank" | "section" | "outline" | "edge" | "axis" | "thin" | "arrow" | "zero" | "zeroFilled"
-  | "measured";
+export type DrawingRole = "chuck" | "chuckEdge" | "blank" | "section" | "outline" | "edge" | "axis" | "thin" | "arrow" | "zero"
+  | "zeroFilled" | "measured";
 
 export interface DrawnShape {
   readonly role: DrawingRole;
@@ -175,16 +175,6 @@ function zeroSign({ x, y }: Place): readonly DrawnShape[] {
   ];
 }
 
-/** How much of what holds a blank is drawn: out from its outside, and behind the grip or before the tip, as a part of its radius. */
-const [OUT, ALONG] = [1, 0.5];
-
-/** What holds a blank, cut off not far from it: a chuck is far larger than most parts. */
-function clampingNear({ clamping: { face, length, tailstock }, bodies }: Clamped, { left, right, high }: Bounds): readonly Ring[] {
-  const back = Math.min(left, face - length) - ALONG * high, front = Math.max(right, tailstock?.tip ?? right) + ALONG * high;
-  const out = (1 + OUT) * high, near = [at(back, 0), at(front, 0), at(front, out), at(back, out)];
-  return bodies.flatMap(({ part, rings }) => (part === "limit" ? [] : intersection(rings, [near])));
-}
-
 /**
  * A set-up to scale within a width and a greatest height, mm on paper: blank, chuck, finished part in section, zero, with diameters in a
  * column on the right and positions in a row below, none over another. Null where there is nothing to draw.
@@ -199,8 +189,8 @@ export function partDrawing(
   const body = joined(material, joined(boundsOf(work.finished.flat()), outline));
   if (!body) return null;
   const held = material && !work.clamping ? heldPlane(work.blank, material) : null;
-  const clamping = material && work.clamping ? clampingNear(work.clamping, material) : [];
-  const holding = boundsOf([...clamping.flat(), ...(held?.hatch.flat() ?? [])]);
+  const clamping = material && work.clamping ? clampingNear(work.clamping, material) : { areas: [], edges: [] };
+  const holding = boundsOf([...clamping.areas.flat(), ...(held?.hatch.flat() ?? [])]);
   const all = mirrored(joined(joined(body, holding), boundsOf([at(0, 0)])) ?? body);
   const { diameters, positions } = featuresOf(work.contours, work.finished, work.blank);
   const saidDiameter = ({ at: { r }, thread, ofBlank }: DiameterFeature) => {
@@ -231,7 +221,10 @@ export function partDrawing(
   const bothHalves = (line: readonly Pt[]) => lineThrough(line.map(onPaper)) + lineThrough(line.map((p) => onPaper(mirror(p))));
   const shapes: DrawnShape[] = [];
   const texts: DrawnText[] = [];
-  if (clamping.length > 0) shapes.push({ role: "chuck", d: ringsOnPaper(clamping) });
+  if (clamping.areas.length > 0) {
+    shapes.push({ role: "chuck", d: ringsOnPaper(clamping.areas) });
+    shapes.push({ role: "chuckEdge", d: clamping.edges.map(bothHalves).join("") });
+  }
   if (held) shapes.push({ role: "edge", d: [held.plane, ...held.hatch].map(bothHalves).join("") });
   shapes.push({ role: "section", d: ringsOnPaper(work.finished) });
   shapes.push({ role: "outline", d: work.finished.flatMap(offAxis).map((line) => bothHalves(line)).join("") });

@@ -1,0 +1,45 @@
+import { expect, type Locator } from "@playwright/test";
+import { clamping as de } from "../../src/i18n/de/clamping.ts";
+import { clamping as en, type ClampingTexts } from "../../src/i18n/en/clamping.ts";
+import { clamping as fr } from "../../src/i18n/fr/clamping.ts";
+import { clamping as zh } from "../../src/i18n/zh/clamping.ts";
+import type { Context } from "./turnwise.ts";
+
+type Word = keyof ClampingTexts["words"];
+
+/** What holds the work: in the set-up of a cycle, or in the dialog of a program. */
+export class ClampingPage {
+  readonly words: ClampingTexts;
+  constructor(private readonly context: Context) {
+    this.words = { en, de, fr, zh }[context.language];
+  }
+
+  /** The dialog of a program, opened by the button below it. */
+  get dialog(): Locator {
+    return this.context.page.getByRole("dialog", { name: this.words.title, exact: true });
+  }
+
+  async openDialog(): Promise<void> {
+    await this.context.page.getByRole("button", { name: this.context.t.page.text.clamping, exact: true }).click();
+    await expect(this.dialog).toBeVisible();
+  }
+
+  /** The button that begins with a proposed clamping. */
+  get state(): Locator {
+    return this.context.page.getByRole("button", { name: this.words.state, exact: true });
+  }
+
+  get kind(): Locator {
+    return this.context.page.getByRole("combobox", { name: this.words.kind, exact: true });
+  }
+
+  get tailstock(): Locator {
+    return this.context.page.getByRole("checkbox", { name: this.words.tailstock, exact: true });
+  }
+
+  /** The field of a word of a chuck that grips outside. */
+  field(word: Word): Locator {
+    const name = word === "D" ? this.words.grips.chuckOutside : this.words.words[word];
+    return this.context.page.getByRole("textbox", { name, exact: true });
+  }
+}
