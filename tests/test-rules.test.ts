@@ -1,5 +1,7 @@
+import { readdirSync, readFileSync } from "node:fs";
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
+import { projectPath } from "./sources.ts";
 
 const text = (found: Record<string, string>) => Object.entries(found).filter(([path]) => !path.endsWith("/test-rules.test.ts"));
 const journeys = text(import.meta.glob<string>("../e2e/*.spec.ts", { query: "?raw", import: "default", eager: true }));
@@ -45,4 +47,14 @@ describe("what no test does", () => {
     expect(journeys.filter(([path, t]) => t.includes("waitForTimeout") && !path.endsWith("playback.spec.ts")).map(([path]) => path))
       .toEqual([]);
   });
+});
+
+/** A planted fault whose place has gone is a fault that nothing looks for any more. */
+test("every planted fault still has its one place", () => {
+  const faults = readdirSync(projectPath("tests/mutants")).flatMap((name) =>
+    JSON.parse(readFileSync(projectPath(`tests/mutants/${name}`), "utf8")) as readonly { what: string; file: string; find: string }[]
+  );
+  const lost = faults.filter(({ file, find }) => readFileSync(projectPath(file), "utf8").split(find).length !== 2);
+  expect(faults.length).toBeGreaterThan(100);
+  expect(lost.map(({ what }) => what)).toEqual([]);
 });
