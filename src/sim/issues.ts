@@ -87,7 +87,7 @@ function fromResidual(r: Residual): ProofIssue {
 
 /** What the stock says about one operation: where it began, what it took at once, and what it took at all. */
 function fromOperation(
-  { cut, airPasses, deepest, thickest, behindLimits, startInMaterial: start, crest, hasFailed }: OperationProof,
+  { cut, airPasses, deepest, thickest, behindLimits, startInMaterial: start, crest }: OperationProof,
   operation: number,
 ): ProofIssue[] {
   const at = (found: Issue, depth: Pick<Depth, "step" | "block"> | null = null): ProofIssue => ({
@@ -111,7 +111,6 @@ function fromOperation(
     const { missing, inFace, r } = crest;
     out.push(at(issue("crestMissing", "warning", inFace ? { missing, z: crest.z } : { missing, diameter: toDiameter(radius(r)) })));
   }
-  if (hasFailed) return out;
   if (cut < REAL_AREA) out.push(at(issue("nothingCut", "warning", {})));
   else if (airPasses > 0) out.push(at(issue("airPasses", "info", { count: airPasses })));
   return out;
@@ -127,6 +126,10 @@ const fromStated = ({ stated }: Simulation["proof"]): ProofIssue[] =>
       : null;
     return found ? [{ issue: found, step, block, operation: null }] : [];
   });
+
+/** Operations that an error kept from their path. */
+const failedIn = ({ operations }: Simulation["proof"]): ReadonlySet<number> =>
+  new Set(operations.flatMap(({ hasFailed }, operation) => (hasFailed ? [operation] : [])));
 
 /** Where the simulation no longer looked for contacts of moves. */
 const fromUnlooked = ({ unlooked }: Simulation["proof"]): ProofIssue[] =>
@@ -146,4 +149,4 @@ export const stockIssues = (simulation: Pick<Simulation, "findings" | "proof">):
     ...fromStated(simulation.proof),
     ...simulation.proof.operations.flatMap(fromOperation),
     ...simulation.proof.residual.map(fromResidual),
-  ]);
+  ], failedIn(simulation.proof));
