@@ -12,9 +12,9 @@ import { IN_MM, toDiameter } from "../kernel/units.ts";
 import { programIssue } from "../program/issue.ts";
 import { timesOf, type Times } from "../program/run-times.ts";
 import type { Operation, Run, RunFinding, Timing } from "../program/run-types.ts";
-import type { ProofIssue } from "../sim/causes.ts";
 import { stockIssues } from "../sim/issues.ts";
 import type { Simulation, Verdict } from "../sim/simulation.ts";
+import { placesJoined, workOf } from "./places.ts";
 import { remedies } from "./remedies.ts";
 import { reportedMove, outsideCycles, type ReportMove } from "./report-moves.ts";
 import { verdictOf, type Judged, type VerdictReason } from "./verdict.ts";
@@ -111,11 +111,10 @@ function contourOf(contour: readonly Segment[]): ReportPoint[] {
   return first ? [pointOf(first.from), ...contour.flatMap((s) => part.flattened(s, CONTOUR_CHORD).slice(1).map(pointOf))] : [];
 }
 
-interface Place {
-  readonly at?: string | undefined;
-  readonly block: number | null;
+/** A finding of the run or of the stock; `cycle` tells what the value at its place measures. */
+interface Said extends Pick<RunFinding, "block" | "operation" | "inFile"> {
+  readonly issue: AnyIssue;
   readonly cycle: number | null;
-  readonly inFile?: RunFinding["inFile"];
 }
 
 /** Offers that are none of a length, or one of a tool table, which counts in mm in any program. */
@@ -140,7 +139,8 @@ function dataOf(found: AnyIssue, kind: Kind | undefined, { unit, per }: Lengths)
   return { ...data, nearest: Number((data.nearest / per).toFixed(OFFERED)) };
 }
 
-function issueOf(found: AnyIssue, { at, block, cycle, inFile }: Place, spoken: Lengths): ReportIssue {
+function issueOf({ issue: found, block, cycle, inFile }: Said, spoken: Lengths): ReportIssue {
+  const { at } = found;
   const field = at === undefined || cycle === null ? undefined : cycleByNumber(cycle)?.params[at]?.kind;
   return {
     code: found.code,
@@ -195,13 +195,21 @@ export function report(checked: Checked, language: Language): Report {
   const judged = verdictOf(run, simulation);
   const { gouge, rapidInStock, cut, airPasses, deepest, holder } = simulation.proof;
   const proved = stockIssues(simulation);
-  const cycleOf = (operation: number | null) => (operation === null ? null : (run.operations[operation]?.cycle ?? null));
-  const proofIssue = (p: ProofIssue) => {
+  const ran = run.issues.map((f): Said => ({ ...f, cycle: f.operation === null ? null : (run.operations[f.operation]?.cycle ?? null) }));
+  const stands = proved.map((p): Said => {
     const block = p.block ?? (p.operation === null ? null : (run.operations[p.operation]?.block ?? null));
-    return issueOf(p.issue, { at: p.issue.at, block, cycle: null }, spoken);
+    return { ...p, block, cycle: null };
+  });
+  const notProved = (what: string, block: number | null): Said => ({
+    issue: programIssue("notProved", "warning", { what }),
+    block,
+    operation: null,
+    cycle: null,
+  });
+  const listed = (all: readonly Said[]): ReportIssue[] => {
+    const placed = all.map((f) => ({ ...f, work: workOf(f, f.operation === null ? undefined : run.operations[f.operation]) }));
+    return placesJoined(placed).map((f) => issueOf(f, spoken));
   };
-  const notProved = (what: string, block: number | null) =>
-    issueOf(programIssue("notProved", "warning", { what }), { block, cycle: null }, spoken);
   const operation = (o: Operation, index: number): ReportOperation => ({
     block: o.block,
     cycle: o.cycle,
@@ -212,17 +220,7 @@ export function report(checked: Checked, language: Language): Report {
     infeed: o.plan.infeed,
     moves: run.steps.slice(o.firstStep, o.lastStep + 1).map((s) => reportedMove(s.move, s.block)),
     seconds: o.seconds,
-    issues: [
-      ...run.issues.filter((f) => f.operation === index).map((f) =>
-        issueOf(f.issue, {
-          at: "at" in f.issue ? f.issue.at : undefined,
-          block: f.block,
-          cycle: o.cycle,
-          ...(f.inFile && { inFile: f.inFile }),
-        }, spoken)
-      ),
-      ...proved.filter((p) => p.operation === index).map(proofIssue),
-    ],
+    issues: listed([...ran, ...stands].filter((f) => f.operation === index)),
   });
   return {
     format: "turnwise-report/1",
@@ -243,19 +241,12 @@ export function report(checked: Checked, language: Language): Report {
       verdict: judged.verdict,
       reasons: judged.reasons,
     },
-    issues: [
-      ...run.issues.map((f) =>
-        issueOf(f.issue, {
-          at: "at" in f.issue ? f.issue.at : undefined,
-          block: f.block,
-          cycle: cycleOf(f.operation),
-          ...(f.inFile && { inFile: f.inFile }),
-        }, spoken)
-      ),
+    issues: listed([
+      ...ran,
       ...judged.reasons.flatMap((r) => (r.kind === "milling" ? [notProved(MILLING, r.block)] : [])),
       ...simulation.proof.unproved.slice(run.unproved.length).map(({ what, block }) => notProved(what, block)),
-      ...proved.map(proofIssue),
-    ],
+      ...stands,
+    ]),
     time: { ...timesOf(run), ...timing },
     milliseconds,
   };

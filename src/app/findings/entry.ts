@@ -36,10 +36,8 @@ export interface FindingEntry {
   readonly spot: FindingSpot | null;
   /** Index into the proof's residue, for what stays. */
   readonly residual: number | null;
-  /** Diameter of the largest circle in what stays, mm. */
+  /** Diameter of the largest circle in what stays, in all places of the finding, mm. */
   readonly thickness: number | null;
-  /** Where it stands for a row of its like, of which it is the largest: how many they are, and what stays in all of them, mm². */
-  readonly alike?: { readonly places: number; readonly area: number } | undefined;
 }
 
 const toDo: ReadonlySet<string> = new Set(["missing", "unknownParameter"]);

@@ -39,6 +39,7 @@ const CLAMPED = {
 export const messages = {
   severity: { error: "Error", warning: "Warning", info: "Note" },
   reasons,
+  morePlaces: (place, more) => `${place} and ${more} more ${more === 1 ? "place" : "places"}`,
   of: {
     ...running,
     ...threads,

@@ -38,6 +38,7 @@ const CLAMPED = {
 export const messages = {
   severity: { error: "Erreur", warning: "Avertissement", info: "Remarque" },
   reasons,
+  morePlaces: (place, more) => `${place} et à ${more === 1 ? "un autre endroit" : `${more} autres endroits`}`,
   of: {
     ...running,
     ...threads,
