@@ -2,13 +2,13 @@ import type { AnyCode, AnyIssue } from "../i18n/message-texts.ts";
 import type { Operation, RunFinding } from "../program/run-types.ts";
 
 /** What is joined: a finding, and in words the piece of work that it belongs to, as a block with its cycle. */
-export interface Placed {
+export interface FindingOfWork {
   readonly issue: AnyIssue;
   readonly work: string;
 }
 
 /** Of findings that were joined, all of them in their order; the first has given block and place. */
-export type Joined<T extends Placed> = T & { readonly together?: readonly T[] };
+export type Joined<T extends FindingOfWork> = T & { readonly together?: readonly T[] };
 
 /** Findings in the stock: each has a place of its own, and what else it says is the kind. */
 const IN_STOCK: ReadonlySet<AnyCode> = new Set<AnyCode>([
@@ -27,7 +27,7 @@ const IN_STOCK: ReadonlySet<AnyCode> = new Set<AnyCode>([
 ]);
 
 /** Which finding is of the same kind: the same words about the same work, its place and its area aside. */
-function kindOf({ issue, work }: Placed): string {
+function kindOf({ issue, work }: FindingOfWork): string {
   const { x: _x, z: _z, area: _area, ...rest } = issue.data as { readonly x?: number; readonly z?: number; readonly area?: number };
   return JSON.stringify([issue.code, issue.severity, issue.at ?? "", work, IN_STOCK.has(issue.code) ? rest : issue.data]);
 }
@@ -41,12 +41,12 @@ export function workOf(
   return operation ? `${place} cycle ${operation.cycle} ${operation.definedFile ?? ""} ${operation.definedLine}` : place;
 }
 
-const areaOf = ({ issue }: Placed): number => ("area" in issue.data && typeof issue.data.area === "number" ? issue.data.area : 0);
+const areaOf = ({ issue }: FindingOfWork): number => ("area" in issue.data && typeof issue.data.area === "number" ? issue.data.area : 0);
 
 /** In how many places a finding was met. */
 export const placesOf = ({ data }: AnyIssue): number => ("places" in data && typeof data.places === "number" ? data.places : 1);
 
-function joinedOf<T extends Placed>(first: T, together: readonly T[]): Joined<T> {
+function joinedOf<T extends FindingOfWork>(first: T, together: readonly T[]): Joined<T> {
   const area = together.reduce((sum, each) => sum + areaOf(each), 0);
   const data = {
     ...first.issue.data,
@@ -60,7 +60,7 @@ function joinedOf<T extends Placed>(first: T, together: readonly T[]): Joined<T>
  * Places of one kind at one piece of work as one finding, where there are more than `few` of them: it stands where the first stood,
  * `data.places` counts them, and `data.area` is that of all of them. A loop over a cycle is one piece of work.
  */
-export function placesJoined<T extends Placed>(found: readonly T[], few = 1): Joined<T>[] {
+export function placesJoined<T extends FindingOfWork>(found: readonly T[], few = 1): Joined<T>[] {
   const kinds = new Map<string, T[]>();
   for (const each of found) {
     const kind = kindOf(each), known = kinds.get(kind);

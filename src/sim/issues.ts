@@ -2,7 +2,7 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import { REAL_AREA } from "../kernel/real-area.ts";
 import type { Pt } from "../kernel/point.ts";
 import { radius, toDiameter } from "../kernel/units.ts";
-import { causesAlone, type ProofIssue } from "./causes.ts";
+import { causesAlone, type Explained, type ProofIssue } from "./causes.ts";
 import { MOST_CONTACTS } from "./check.ts";
 import { isTooDeep } from "./measure.ts";
 import type { AnyFinding, Depth, LoosePiece, OperationProof, Residual, Simulation, ThreadWay } from "./simulation.ts";
@@ -127,9 +127,10 @@ const fromStated = ({ stated }: Simulation["proof"]): ProofIssue[] =>
     return found ? [{ issue: found, step, block, operation: null }] : [];
   });
 
-/** Operations that an error kept from their path. */
-const failedIn = ({ operations }: Simulation["proof"]): ReadonlySet<number> =>
-  new Set(operations.flatMap(({ hasFailed }, operation) => (hasFailed ? [operation] : [])));
+const explainedIn = ({ operations }: Simulation["proof"]): Explained => {
+  const those = (of: (operation: OperationProof) => boolean) => new Set(operations.flatMap((each, i) => (of(each) ? [i] : [])));
+  return { failed: those(({ hasFailed }) => hasFailed), questioned: those(({ isQuestioned }) => isQuestioned) };
+};
 
 /** Where the simulation no longer looked for contacts of moves. */
 const fromUnlooked = ({ unlooked }: Simulation["proof"]): ProofIssue[] =>
@@ -149,4 +150,4 @@ export const stockIssues = (simulation: Pick<Simulation, "findings" | "proof">):
     ...fromStated(simulation.proof),
     ...simulation.proof.operations.flatMap(fromOperation),
     ...simulation.proof.residual.map(fromResidual),
-  ], failedIn(simulation.proof));
+  ], explainedIn(simulation.proof));

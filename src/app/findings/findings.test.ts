@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { findings as english } from "../../i18n/en/findings.ts";
 import { spotOn } from "../../kernel/mill-motion.ts";
-import { exampleJob, type Job } from "../../program/job.ts";
+import { exampleJob, UNSET, type Job } from "../../program/job.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { engine } from "../engine/engine.ts";
 import type { Outcome } from "../engine/outcome.ts";
@@ -145,4 +145,14 @@ test.each([["nothing but its blank", "", "none"], [
   const { verdict: words } = english;
   expect(verdictTitle(words, "en", verdict)).toBe(tone === "doubt" ? words.noCycle : words.noOperation);
   expect(verdictReasons(words, verdict)).toEqual([tone === "doubt" ? words.because.noCycle : words.because.noOperation]);
+});
+
+test("a forgotten minus is asked for first, and nothing that tool and stock say to it is listed beside", () => {
+  const { entries } = found(withPrompt("Q494", "55.4")(jobOf(812)));
+  expect(entries[0]?.issue).toMatchObject({ code: "endInFront", severity: "error", data: { nearest: -55.4 } });
+  expect(entries.filter(({ issue }) => issue.severity !== "info").map(({ issue }) => issue.code)).toEqual(["endInFront"]);
+  // Nobody has set tool and blank: both are proposed for the value as it is typed.
+  const proposed = found(withPrompt("Q494", "55.4")(jobOf(812, (job) => ({ ...job, tool: null, blank: UNSET.blank, start: UNSET.start }))));
+  expect(proposed.entries.map(({ issue }) => issue.code)).toContain("endInFront");
+  expect(proposed.entries.map(({ issue }) => issue.code)).not.toContain("holderContact");
 });

@@ -2,6 +2,7 @@ import { issue as contourIssue } from "../../kernel/issue.ts";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
 import { setupQuestions } from "../../program/setup-questions.ts";
 import { placesJoined, workOf } from "../../report/places.ts";
+import { followsQuestion, QUESTIONS } from "../../sim/causes.ts";
 import { stockIssues } from "../../sim/issues.ts";
 import { contourProblems } from "../contour/contour-problems.ts";
 import type { Outcome } from "../engine/outcome.ts";
@@ -115,6 +116,16 @@ function marked(entries: readonly FindingEntry[]): readonly FindingEntry[] {
   });
 }
 
+/** Without what follows from a dimension that the prompts question: its run has another set-up than the one that is meant. */
+function withoutAnswers(early: readonly Found[], late: readonly Found[]): readonly Found[] {
+  const isAsked = early.some(({ issue }) => QUESTIONS.has(issue.code));
+  return isAsked ? late.filter(({ issue }) => !followsQuestion(issue.code)) : late;
+}
+
+/** What prompts and program both question, as grave as the program has it. */
+const once = (early: readonly Found[], late: readonly Found[]): readonly Found[] =>
+  early.filter(({ issue, at }) => !QUESTIONS.has(issue.code) || !late.some((l) => l.issue.code === issue.code && l.at === at));
+
 /**
  * Everything found in the open work, worst first: what the prompts say at once, and what the last calculated program says,
  * as long as it is calculated from these values. Nothing twice. A program has no prompts of its own: `read` is null.
@@ -123,7 +134,7 @@ export function findingsOf(read: JobReading | null, outcome: Outcome | null): re
   const early = read ? typed(read) : [];
   const late = outcome && (!read || read.reading.values) ? calculated(outcome) : [];
   const all = new Map<string, FindingEntry>();
-  for (const found of withoutRows(withoutEchoes([...early, ...late]), outcome?.run.operations ?? [])) {
+  for (const found of withoutRows(withoutEchoes([...once(early, late), ...withoutAnswers(early, late)]), outcome?.run.operations ?? [])) {
     const { issue, at, line, inFile } = found;
     // The text of a job is made from its prompts: what both say is said once.
     const key = JSON.stringify([issue.code, at, issue.data, read ? null : line, inFile]);

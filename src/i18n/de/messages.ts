@@ -49,27 +49,23 @@ export const messages = {
       `${w.value(d.value)} liegt außerhalb des Bereichs: ${w.value(d.min)} bis ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
     notWhole: (d, w) => `${w.number(d.value)} ist keine ganze Zahl.${nearest(d.nearest, w.number)}`,
     notAChoice: (d, w) => `${w.number(d.value)} steht nicht zur Wahl (${d.choices.join(", ")}).${nearest(d.nearest, w.number)}`,
-    startEqualsEnd: (d, w) => `Start und Ende sind gleich: auch ${d.other} ist ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
+    startEqualsEnd: (d, w) => `Start und Ende sind gleich: auch ${d.other} ist ${w.value(d.value)}.`,
     startLevelWithEnd: (d, w) =>
       `Der Startpunkt steht auf ${d.axis} ${w.size(d.value)}, wo die Kontur endet: Dazwischen gibt es nichts zu zerspanen.`,
     diameterNegative: (d, w) =>
       `${w.value(d.value)} ist ein Durchmesser jenseits der Drehachse, dort wird keine Kontur geplant.${nearest(d.nearest, w.value)}`,
-    elementTooLong: (d, w) =>
-      `${w.size(d.size)} ist länger, als das Element erlaubt: höchstens ${w.size(d.max)}.${nearest(d.nearest, w.size)}`,
-    cornersTooWide: (d, w) =>
-      `Zwei Eckenradien von ${w.size(d.radius)} sind breiter als der Grund: höchstens ${w.size(d.max)}.${nearest(d.nearest, w.size)}`,
-    wallsMeet: (d, w) =>
-      `Mit ${w.angle(d.angle)} treffen sich die Flanken über dem Grund: weniger als ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
+    elementTooLong: (d, w) => `${w.size(d.size)} ist länger, als das Element erlaubt: höchstens ${w.size(d.max)}.`,
+    cornersTooWide: (d, w) => `Zwei Eckenradien von ${w.size(d.radius)} sind breiter als der Grund: höchstens ${w.size(d.max)}.`,
+    wallsMeet: (d, w) => `Mit ${w.angle(d.angle)} treffen sich die Flanken über dem Grund: weniger als ${w.angle(d.max)}.`,
     cornerSmallerThanInsert: (d, w) =>
-      `Eckenradius ${w.size(d.radius)} ist kleiner als der Schneidenradius ${w.size(d.insert)}: Die Ecke `
-      + `behält ${w.size(d.insert)}.${nearest(d.nearest, w.size)}`,
+      `Eckenradius ${w.size(d.radius)} ist kleiner als der Schneidenradius ${w.size(d.insert)}: Die Ecke ` + `behält ${w.size(d.insert)}.`,
     recessNarrowerThanTool: (d, w) =>
       `Der Grund des Einstichs ist ${w.size(d.width)} breit, Werkzeug und Aufmaß brauchen ${w.size(d.tool)}.`
       + `${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "" : `Element ${d.element}: `}Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: Die ${
         reasons[d.edge]
-      } lässt ${w.angle(d.max)} zu, ` + `Material bleibt stehen.${nearest(d.nearest, w.angle)}`,
+      } lässt ${w.angle(d.max)} zu, ` + `Material bleibt stehen.`,
     tooManyPasses: (d, w) => `${d.passes} Schnitte sind mehr als ${d.most}.${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
       `Zustellung ${w.size(d.infeed)} ist größer als CUTLENGTH ${w.size(d.cutLength)}: Sie wird auf `
@@ -145,12 +141,9 @@ export const messages = {
     contourPoint: (d) => `Element ${d.element}: Der Endpunkt fehlt oder ist nicht erreichbar.`,
     cornerElementAlone: (d) => `Element ${d.element}: Fase und Rundung brauchen ein Element davor und dahinter, eine Fase zwei Geraden.`,
     cornerElementTooLong: (d, w) =>
-      `Element ${d.element}: ${w.size(d.size)} passt nicht zwischen die Nachbarelemente: höchstens ${w.size(d.max)}`
-      + `.${nearest(d.nearest, w.size)}`,
-    arcOffCircle: (d, w) =>
-      `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.size(d.gap)}.`
-      + (d.nearest === undefined ? "" : ` Möglicher Radius: ${w.size(d.nearest)}.`),
-    arcTooSmall: (d, w) => `Element ${d.element}: Radius ${w.size(d.radius)} ist zu klein für den Endpunkt.${nearest(d.nearest, w.size)}`,
+      `Element ${d.element}: ${w.size(d.size)} passt nicht zwischen die Nachbarelemente: höchstens ${w.size(d.max)}` + `.`,
+    arcOffCircle: (d, w) => `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.size(d.gap)}.`,
+    arcTooSmall: (d, w) => `Element ${d.element}: Radius ${w.size(d.radius)} ist zu klein für den Endpunkt.`,
     elementFree:
       (d) => (d.freedom === 1
         ? `Element ${d.element}: Noch 1 Angabe ist nötig.`
@@ -321,6 +314,10 @@ export const messages = {
       }. ⌀, Länge und Lage von CLAMPING prüfen.`,
     blankMissing: () => "Das Programm nennt kein Rohteil.",
     blankNotTurned: (d, w) => `Ein Rohteil der Form ${w.text(d.form)} ist kein Drehkörper um die Achse.`,
+    endsExchanged: (d, w) =>
+      d.axis === "X"
+        ? `Von X${w.diameter(d.start)} nach X${w.diameter(d.end)} ist kein Material zu zerspanen. Anfang und Ende (${d.other}) vertauscht?`
+        : `Von Z${w.signed(d.start)} nach Z${w.signed(d.end)} ist kein Material zu zerspanen. Anfang und Ende (${d.other}) vertauscht?`,
     endInFront: (d, w) => `Z${w.signed(d.value)} liegt vor dem Werkstück. ${w.signed(d.nearest)}?`,
     blankAgainstContour: (d, w) =>
       ({

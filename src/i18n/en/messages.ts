@@ -50,25 +50,22 @@ export const messages = {
     outOfRange: (d, w) => `${w.value(d.value)} is out of range: ${w.value(d.min)} to ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
     notWhole: (d, w) => `${w.number(d.value)} is not a whole number.${nearest(d.nearest, w.number)}`,
     notAChoice: (d, w) => `${w.number(d.value)} is not one of ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
-    startEqualsEnd: (d, w) => `Start and end are the same: ${d.other} is ${w.value(d.value)} too.${nearest(d.nearest, w.value)}`,
+    startEqualsEnd: (d, w) => `Start and end are the same: ${d.other} is ${w.value(d.value)} too.`,
     startLevelWithEnd: (d, w) =>
       `The start point stands at ${d.axis} ${w.size(d.value)}, where the contour ends: between the two there is nothing to cut.`,
     diameterNegative: (d, w) =>
       `${w.value(d.value)} is a diameter on the far side of the axis, where no contour is planned.${nearest(d.nearest, w.value)}`,
-    elementTooLong: (d, w) => `${w.size(d.size)} is longer than the element allows: ${w.size(d.max)} at most.${nearest(d.nearest, w.size)}`,
-    cornersTooWide: (d, w) =>
-      `Two corner radii of ${w.size(d.radius)} are wider than the floor: ${w.size(d.max)} at most.${nearest(d.nearest, w.size)}`,
-    wallsMeet: (d, w) =>
-      `With ${w.angle(d.angle)} the walls meet above the floor: less than ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
+    elementTooLong: (d, w) => `${w.size(d.size)} is longer than the element allows: ${w.size(d.max)} at most.`,
+    cornersTooWide: (d, w) => `Two corner radii of ${w.size(d.radius)} are wider than the floor: ${w.size(d.max)} at most.`,
+    wallsMeet: (d, w) => `With ${w.angle(d.angle)} the walls meet above the floor: less than ${w.angle(d.max)}.`,
     cornerSmallerThanInsert: (d, w) =>
-      `Corner radius ${w.size(d.radius)} is smaller than the insert's ${w.size(d.insert)}: the corner will `
-      + `keep ${w.size(d.insert)}.${nearest(d.nearest, w.size)}`,
+      `Corner radius ${w.size(d.radius)} is smaller than the insert's ${w.size(d.insert)}: the corner will ` + `keep ${w.size(d.insert)}.`,
     recessNarrowerThanTool: (d, w) =>
       `The floor of the recess is ${w.size(d.width)} wide, tool and oversize need ${w.size(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "The" : `Element ${d.element}: the`} tool cannot follow ${w.angle(d.angle)}: ${reasons[d.edge]} allows ${
         w.angle(d.max)
-      }, material stays.` + `${nearest(d.nearest, w.angle)}`,
+      }, material stays.` + ``,
     tooManyPasses: (d, w) => `${d.passes} passes are more than ${d.most}.${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
       `Infeed ${w.size(d.infeed)} is more than CUTLENGTH ${w.size(d.cutLength)}: it is reduced to ${w.size(d.cutLength)}.`,
@@ -137,12 +134,9 @@ export const messages = {
     cornerElementAlone: (d) =>
       `Element ${d.element}: a chamfer or rounding needs an element before and behind it; a chamfer needs two lines.`,
     cornerElementTooLong: (d, w) =>
-      `Element ${d.element}: ${w.size(d.size)} does not fit between its neighbours: ${w.size(d.max)} at `
-      + `most.${nearest(d.nearest, w.size)}`,
-    arcOffCircle: (d, w) =>
-      `Element ${d.element}: the end point misses its circle by ${w.size(d.gap)}.`
-      + (d.nearest === undefined ? "" : ` Radius that works: ${w.size(d.nearest)}.`),
-    arcTooSmall: (d, w) => `Element ${d.element}: radius ${w.size(d.radius)} is too small for its end point.${nearest(d.nearest, w.size)}`,
+      `Element ${d.element}: ${w.size(d.size)} does not fit between its neighbours: ${w.size(d.max)} at ` + `most.`,
+    arcOffCircle: (d, w) => `Element ${d.element}: the end point misses its circle by ${w.size(d.gap)}.`,
+    arcTooSmall: (d, w) => `Element ${d.element}: radius ${w.size(d.radius)} is too small for its end point.`,
     elementFree:
       (d) => (d.freedom === 1
         ? `Element ${d.element}: one more value is needed.`
@@ -298,6 +292,10 @@ export const messages = {
       } in its grip. Check ⌀, length and face of CLAMPING.`,
     blankMissing: () => "The program states no blank.",
     blankNotTurned: (d, w) => `A blank of the form ${w.text(d.form)} is not turned round the axis.`,
+    endsExchanged: (d, w) =>
+      d.axis === "X"
+        ? `From X${w.diameter(d.start)} to X${w.diameter(d.end)} there is no material to cut. Start and end (${d.other}) exchanged?`
+        : `From Z${w.signed(d.start)} to Z${w.signed(d.end)} there is no material to cut. Start and end (${d.other}) exchanged?`,
     endInFront: (d, w) => `Z${w.signed(d.value)} is in front of the workpiece. ${w.signed(d.nearest)}?`,
     blankAgainstContour: (d, w) =>
       ({

@@ -49,28 +49,24 @@ export const messages = {
     outOfRange: (d, w) => `${w.value(d.value)} est hors de la plage ${w.value(d.min)} à ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
     notWhole: (d, w) => `${w.number(d.value)} n’est pas un nombre entier.${nearest(d.nearest, w.number)}`,
     notAChoice: (d, w) => `${w.number(d.value)} n’est pas un des choix ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
-    startEqualsEnd: (d, w) => `Départ et fin sont identiques : ${d.other} vaut aussi ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
+    startEqualsEnd: (d, w) => `Départ et fin sont identiques : ${d.other} vaut aussi ${w.value(d.value)}.`,
     startLevelWithEnd: (d, w) =>
       `Le point de départ est à ${d.axis} ${w.size(d.value)}, là où finit le contour : entre les deux, il n’y a rien à usiner.`,
     diameterNegative: (d, w) =>
       `${w.value(d.value)} est un diamètre au-delà de l’axe, où aucun contour n’est calculé.${nearest(d.nearest, w.value)}`,
-    elementTooLong: (d, w) =>
-      `${w.size(d.size)} est plus long que l’élément ne le permet : ${w.size(d.max)} au plus.${nearest(d.nearest, w.size)}`,
-    cornersTooWide: (d, w) =>
-      `Deux rayons de coin de ${w.size(d.radius)} dépassent la largeur du fond : ${w.size(d.max)} au plus.`
-      + `${nearest(d.nearest, w.size)}`,
-    wallsMeet: (d, w) =>
-      `Avec ${w.angle(d.angle)}, les flancs se rejoignent au-dessus du fond : moins de ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
+    elementTooLong: (d, w) => `${w.size(d.size)} est plus long que l’élément ne le permet : ${w.size(d.max)} au plus.`,
+    cornersTooWide: (d, w) => `Deux rayons de coin de ${w.size(d.radius)} dépassent la largeur du fond : ${w.size(d.max)} au plus.` + ``,
+    wallsMeet: (d, w) => `Avec ${w.angle(d.angle)}, les flancs se rejoignent au-dessus du fond : moins de ${w.angle(d.max)}.`,
     cornerSmallerThanInsert: (d, w) =>
       `Le rayon de coin ${w.size(d.radius)} est inférieur à celui de la plaquette, ${w.size(d.insert)} : le `
-      + `coin gardera ${w.size(d.insert)}.${nearest(d.nearest, w.size)}`,
+      + `coin gardera ${w.size(d.insert)}.`,
     recessNarrowerThanTool: (d, w) =>
       `Le fond de la gorge est large de ${w.size(d.width)}, l’outil et la surépaisseur demandent `
       + `${w.size(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "L’" : `Élément ${d.element} : l’`}outil ne peut pas suivre ${w.angle(d.angle)} : l’${
         reasons[d.edge]
-      } permet ${w.angle(d.max)}, de la ` + `matière reste.${nearest(d.nearest, w.angle)}`,
+      } permet ${w.angle(d.max)}, de la ` + `matière reste.`,
     tooManyPasses: (d, w) => `${d.passes} passes, c’est plus que ${d.most}.${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
       `La passe ${w.size(d.infeed)} dépasse CUTLENGTH ${w.size(d.cutLength)} : elle est réduite à ${w.size(d.cutLength)}.`,
@@ -143,13 +139,9 @@ export const messages = {
     cornerElementAlone: (d) =>
       `Élément ${d.element} : un chanfrein ou un arrondi demande un élément avant et après, un chanfrein deux droites.`,
     cornerElementTooLong: (d, w) =>
-      `Élément ${d.element} : ${w.size(d.size)} ne tient pas entre ses voisins : ${w.size(d.max)} au plus.`
-      + `${nearest(d.nearest, w.size)}`,
-    arcOffCircle: (d, w) =>
-      `Élément ${d.element} : le point final manque son cercle de ${w.size(d.gap)}.`
-      + (d.nearest === undefined ? "" : ` Rayon possible : ${w.size(d.nearest)}.`),
-    arcTooSmall: (d, w) =>
-      `Élément ${d.element} : le rayon ${w.size(d.radius)} est trop petit pour le point final.${nearest(d.nearest, w.size)}`,
+      `Élément ${d.element} : ${w.size(d.size)} ne tient pas entre ses voisins : ${w.size(d.max)} au plus.` + ``,
+    arcOffCircle: (d, w) => `Élément ${d.element} : le point final manque son cercle de ${w.size(d.gap)}.`,
+    arcTooSmall: (d, w) => `Élément ${d.element} : le rayon ${w.size(d.radius)} est trop petit pour le point final.`,
     elementFree:
       (d) => (d.freedom === 1 ? `Élément ${d.element} : il manque une valeur.` : `Élément ${d.element} : il manque ${d.freedom} valeurs.`),
     elementContradicts: (
@@ -318,6 +310,10 @@ export const messages = {
       } dans la prise. Vérifier ⌀, longueur et face de CLAMPING.`,
     blankMissing: () => "Le programme n’indique pas de brut.",
     blankNotTurned: (d, w) => `Un brut de forme ${w.text(d.form)} n’est pas un corps de révolution autour de l’axe.`,
+    endsExchanged: (d, w) =>
+      d.axis === "X"
+        ? `De X${w.diameter(d.start)} à X${w.diameter(d.end)}, il n’y a pas de matière à usiner. Début et fin (${d.other}) intervertis ?`
+        : `De Z${w.signed(d.start)} à Z${w.signed(d.end)}, il n’y a pas de matière à usiner. Début et fin (${d.other}) intervertis ?`,
     endInFront: (d, w) => `Z${w.signed(d.value)} est devant la pièce. ${w.signed(d.nearest)} ?`,
     blankAgainstContour: (d, w) =>
       ({

@@ -48,19 +48,18 @@ export const messages = {
     outOfRange: (d, w) => `${w.value(d.value)}超出范围${w.value(d.min)}至${w.value(d.max)}。${nearest(d.nearest, w.value)}`,
     notWhole: (d, w) => `${w.number(d.value)}不是整数。${nearest(d.nearest, w.number)}`,
     notAChoice: (d, w) => `${w.number(d.value)}不在可选值${d.choices.join("、")}中。${nearest(d.nearest, w.number)}`,
-    startEqualsEnd: (d, w) => `起点与终点相同：${d.other}也是${w.value(d.value)}。${nearest(d.nearest, w.value)}`,
+    startEqualsEnd: (d, w) => `起点与终点相同：${d.other}也是${w.value(d.value)}。`,
     startLevelWithEnd: (d, w) => `起点位于${d.axis} ${w.size(d.value)}，与轮廓终点相同：两者之间没有可加工的材料。`,
     diameterNegative: (d, w) => `${w.value(d.value)}位于轴线另一侧，此处不计算轮廓。${nearest(d.nearest, w.value)}`,
-    elementTooLong: (d, w) => `${w.size(d.size)}大于该元素的长度，最大${w.size(d.max)}。${nearest(d.nearest, w.size)}`,
-    cornersTooWide: (d, w) => `两个半径${w.size(d.radius)}的圆角宽于槽底，最大${w.size(d.max)}。${nearest(d.nearest, w.size)}`,
-    wallsMeet: (d, w) => `角度为${w.angle(d.angle)}时两侧壁在槽底上方相交，最大${w.angle(d.max)}。${nearest(d.nearest, w.angle)}`,
-    cornerSmallerThanInsert: (d, w) =>
-      `角半径${w.size(d.radius)}小于刀尖半径${w.size(d.insert)}：该角将保留${w.size(d.insert)}。${nearest(d.nearest, w.size)}`,
+    elementTooLong: (d, w) => `${w.size(d.size)}大于该元素的长度，最大${w.size(d.max)}。`,
+    cornersTooWide: (d, w) => `两个半径${w.size(d.radius)}的圆角宽于槽底，最大${w.size(d.max)}。`,
+    wallsMeet: (d, w) => `角度为${w.angle(d.angle)}时两侧壁在槽底上方相交，最大${w.angle(d.max)}。`,
+    cornerSmallerThanInsert: (d, w) => `角半径${w.size(d.radius)}小于刀尖半径${w.size(d.insert)}：该角将保留${w.size(d.insert)}。`,
     recessNarrowerThanTool: (d, w) => `槽底宽${w.size(d.width)}，刀具和余量需要${w.size(d.tool)}。${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "" : `元素${d.element}：`}刀具无法跟随${w.angle(d.angle)}：${reasons[d.edge]}允许${
         w.angle(d.max)
-      }，会残留材料。${nearest(d.nearest, w.angle)}`,
+      }，会残留材料。`,
     tooManyPasses: (d, w) => `${d.passes} 次走刀超过 ${d.most} 次。${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) => `进刀量${w.size(d.infeed)}大于CUTLENGTH ${w.size(d.cutLength)}：自动减小为${w.size(d.cutLength)}。`,
     depthOverCutLength: (d, w) => `深度${w.size(d.depth)}大于CUTLENGTH ${w.size(d.cutLength)}：其余材料残留。`,
@@ -106,11 +105,9 @@ export const messages = {
     contourEndCovered: (d, w) => `轮廓终点${w.place(d.x, d.z)}落在轮廓自身之内：有元素超出该终点，工件无法由此延续。`,
     contourPoint: (d) => `元素${d.element}：终点缺失或无法到达。`,
     cornerElementAlone: (d) => `元素${d.element}：倒角或倒圆前后都需要有元素，倒角需要两条直线。`,
-    cornerElementTooLong: (d, w) =>
-      `元素${d.element}：${w.size(d.size)}在相邻元素之间放不下，最大${w.size(d.max)}。${nearest(d.nearest, w.size)}`,
-    arcOffCircle: (d, w) =>
-      `元素${d.element}：终点偏离圆${w.size(d.gap)}。${d.nearest === undefined ? "" : `可用半径：${w.size(d.nearest)}。`}`,
-    arcTooSmall: (d, w) => `元素${d.element}：半径${w.size(d.radius)}对该终点过小。${nearest(d.nearest, w.size)}`,
+    cornerElementTooLong: (d, w) => `元素${d.element}：${w.size(d.size)}在相邻元素之间放不下，最大${w.size(d.max)}。`,
+    arcOffCircle: (d, w) => `元素${d.element}：终点偏离圆${w.size(d.gap)}。`,
+    arcTooSmall: (d, w) => `元素${d.element}：半径${w.size(d.radius)}对该终点过小。`,
     elementFree: (d) => `元素${d.element}：还需要${d.freedom}个数值。`,
     elementContradicts: (
       d,
@@ -232,6 +229,10 @@ export const messages = {
     clampingMisses: (d, w) => `装夹没有夹住毛坯：夹持范围内没有${w.diameter(d.diameter)}的表面。请检查CLAMPING的直径、长度和端面。`,
     blankMissing: () => "程序没有定义毛坯。",
     blankNotTurned: (d, w) => `${w.text(d.form)}形式的毛坯不是绕轴的回转体。`,
+    endsExchanged: (d, w) =>
+      d.axis === "X"
+        ? `从X${w.diameter(d.start)}到X${w.diameter(d.end)}没有可切削的材料。起点与终点（${d.other}）是否颠倒？`
+        : `从Z${w.signed(d.start)}到Z${w.signed(d.end)}没有可切削的材料。起点与终点（${d.other}）是否颠倒？`,
     endInFront: (d, w) => `Z${w.signed(d.value)} 在工件前方。是否为 ${w.signed(d.nearest)}？`,
     blankAgainstContour: (d, w) =>
       ({
