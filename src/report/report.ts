@@ -1,5 +1,6 @@
 import { lengthsIn, type Lengths } from "../i18n/lengths.ts";
-import { message } from "../i18n/message.ts";
+import { measureOf, message } from "../i18n/message.ts";
+import { printedLengths } from "../i18n/printed-lengths.ts";
 import { isLength } from "../i18n/write.ts";
 import type { Language } from "../i18n/languages.ts";
 import type { AnyIssue } from "../i18n/message-texts.ts";
@@ -63,7 +64,7 @@ export interface Milliseconds {
   readonly simulate: number;
 }
 
-/** What one program does, as data for other programs. Lengths mm, also of inch programs. */
+/** What one program does, as data for other programs. Lengths mm, also of inch programs, but for the data of its issues. */
 export interface Report {
   readonly format: "turnwise-report/1";
   readonly file: string;
@@ -130,13 +131,23 @@ const OTHER_OFFERS: ReadonlySet<AnyIssue["code"]> = new Set([
 /** Decimals of an offer in another unit than mm, as its sentence shows it. */
 const OFFERED = 5;
 
-/** The data of a finding, with what it offers in the unit of the program; every other length stays in mm. */
-function dataOf(found: AnyIssue, kind: Kind | undefined, { unit, per }: Lengths): object {
+/** Whether what a finding offers is a length. */
+function offersLength({ code, data }: AnyIssue, kind: Kind | undefined): boolean {
+  if (kind !== undefined) return isLength(kind);
+  return !OTHER_OFFERS.has(code) && !("quantity" in data && (data.quantity === "angle" || data.quantity === "tangent"));
+}
+
+/** The data of a finding: what its sentence prints and what it offers in the unit of the program, as they are read together. */
+function dataOf(found: AnyIssue, field: Kind | undefined, { unit, per }: Lengths): object {
   const { data } = found;
-  if (unit === "mm" || !("nearest" in data) || typeof data.nearest !== "number") return data;
-  const isAngle = "quantity" in data && (data.quantity === "angle" || data.quantity === "tangent");
-  if (kind === undefined ? isAngle || OTHER_OFFERS.has(found.code) : !isLength(kind)) return data;
-  return { ...data, nearest: Number((data.nearest / per).toFixed(OFFERED)) };
+  if (unit === "mm") return data;
+  const kind = measureOf(found, field), printed = printedLengths(found, kind);
+  return Object.fromEntries(Object.entries(data).map(([name, value]: [string, unknown]) => {
+    if (typeof value !== "number") return [name, value];
+    if (name === "nearest") return [name, offersLength(found, kind) ? Number((value / per).toFixed(OFFERED)) : value];
+    const as = printed.get(name);
+    return [name, as === "length" ? value / per : as === "area" ? value / per ** 2 : value];
+  }));
 }
 
 function issueOf({ issue: found, block, cycle, inFile }: Said, spoken: Lengths): ReportIssue {

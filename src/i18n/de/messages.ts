@@ -153,8 +153,9 @@ export const messages = {
       w,
     ) => (d.quantity === "tangent"
       ? `Element ${d.element} schließt nicht tangential an; die Abweichung ist ${w.number(d.nearest)}°.`
-      : `Element ${d.element}: ${ELEMENT[d.quantity]} ${w.number(d.given)} widerspricht den übrigen Angaben; `
-        + `${w.number(d.nearest)} passt.`),
+      : `Element ${d.element}: ${ELEMENT[d.quantity]} ${
+        (d.quantity === "angle" ? w.number : w.size)(d.given)
+      } widerspricht den übrigen Angaben; ` + `${(d.quantity === "angle" ? w.number : w.size)(d.nearest)} passt.`),
     elementUnreachable: (d) =>
       `Element ${d.element}: Mit dieser Länge, diesem Radius oder diesem Winkel ist das Nachbarelement nicht erreichbar.`,
     centreMissing: (d) => `Element ${d.element}: Der Kreismittelpunkt fehlt; CC davor programmieren.`,
@@ -185,9 +186,9 @@ export const messages = {
     recessWord: (d) => `Element ${d.element}: ${d.word} fehlt oder ergibt keine mögliche Form.`,
     recessWordsExclusive: (d) => `Element ${d.element}: ${d.other} und ${d.word} schließen sich aus. Nur eines davon eingeben.`,
     pitchNotListed: (d, w) => {
-      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.value(n)])).join(" und ");
+      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.size(n, 4)])).join(" und ");
       return `Element ${d.element}: DIN 76 nennt keinen Freistich für Steigung ${
-        w.value(d.pitch)
+        w.size(d.pitch, 4)
       }; daneben stehen ${near}. Eine davon nehmen oder ${d.words} angeben.`;
     },
     undercutDefaults: (d) =>
@@ -269,8 +270,8 @@ export const messages = {
     feedUnlikely: (d, w) =>
       `Ein Vorschub von ${w.number(d.feed)} ${d.unit} ist unwahrscheinlich. M136 prüfen: Damit zählt F in mm pro Umdrehung.`,
     drillTooShort: (d, w) =>
-      `Die Bohrung ist ${w.value(d.depth)} tief, die Schneiden des Bohrers (LCUTS) sind ${w.value(d.edges)} lang: Der Schaft kann reiben.`,
-    pitchOfTap: (d, w) => `Q239 ist ${w.value(d.pitch)}, der Gewindebohrer in der Tabelle hat aber PITCH ${w.value(d.tap)}.`,
+      `Die Bohrung ist ${w.size(d.depth)} tief, die Schneiden des Bohrers (LCUTS) sind ${w.size(d.edges)} lang: Der Schaft kann reiben.`,
+    pitchOfTap: (d, w) => `Q239 ist ${w.size(d.pitch)}, der Gewindebohrer in der Tabelle hat aber PITCH ${w.size(d.tap)}.`,
     freeChosen: () =>
       "Ab hier passen mehrere Konturen zu den Angaben: Die kürzeste wird gezeigt. Die Steuerung nimmt die, die FSELECT auswählt.",
     freeUnsolved: (d, w) =>
@@ -337,8 +338,8 @@ export const messages = {
       })[d.place],
     blankImpossible: () => "Das Rohteil hat kein Volumen: Maße prüfen.",
     boxTurned: (d, w) =>
-      `Der Quader dreht sich als Zylinder um seine Ecken, Durchmesser ${w.value(d.outer)}. Nur innerhalb von Durchmesser ${
-        w.value(d.inner)
+      `Der Quader dreht sich als Zylinder um seine Ecken, Durchmesser ${w.size(d.outer)}. Nur innerhalb von Durchmesser ${
+        w.size(d.inner)
       } steht ringsum sicher Material. ` + "Rundmaterial ist ein BLK FORM CYLINDER.",
     blankTaken: (d, w) => `${w.text(d.what)} wird als Rohteil genommen.`,
     blankAdds: (d, w) => `${w.text(d.what)} umreißt ${w.area(d.area)} mehr, als BLK FORM hat. Der Umriss gilt.`,

@@ -146,8 +146,9 @@ export const messages = {
       w,
     ) => (d.quantity === "tangent"
       ? `Element ${d.element} does not leave the one before it tangentially; it is off by ${w.number(d.nearest)}°.`
-      : `Element ${d.element}: the ${ELEMENT[d.quantity]} ${w.number(d.given)} does not agree with the other `
-        + `values; ${w.number(d.nearest)} does.`),
+      : `Element ${d.element}: the ${ELEMENT[d.quantity]} ${
+        (d.quantity === "angle" ? w.number : w.size)(d.given)
+      } does not agree with the other ` + `values; ${(d.quantity === "angle" ? w.number : w.size)(d.nearest)} does.`),
     elementUnreachable: (d) => `Element ${d.element}: with this length, radius or angle it does not reach its neighbour.`,
     centreMissing: (d) => `Element ${d.element}: its centre is missing; put CC before it.`,
     contourCrossesItself: (d) => `Element ${d.element} crosses element ${d.other}.`,
@@ -175,9 +176,9 @@ export const messages = {
     recessWord: (d) => `Element ${d.element}: ${d.word} is missing or makes no possible shape.`,
     recessWordsExclusive: (d) => `Element ${d.element}: ${d.other} and ${d.word} exclude each other. Enter one of them.`,
     pitchNotListed: (d, w) => {
-      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.value(n)])).join(" and ");
+      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.size(n, 4)])).join(" and ");
       return `Element ${d.element}: DIN 76 has no relief for a pitch of ${
-        w.value(d.pitch)
+        w.size(d.pitch, 4)
       }; next to it are ${near}. Take one of them, or write ${d.words}.`;
     },
     undercutDefaults: (d) =>
@@ -251,8 +252,8 @@ export const messages = {
     feedZero: (d, w) => `${w.text(d.word)}: the cutting feed is 0 here. Give a feed above 0; FAUTO takes the F of TOOL CALL.`,
     feedUnlikely: (d, w) => `A feed of ${w.number(d.feed)} ${d.unit} is not likely. Check M136: with it F counts in mm per revolution.`,
     drillTooShort: (d, w) =>
-      `The bore is ${w.value(d.depth)} deep, the edges of the drill (LCUTS) are ${w.value(d.edges)} long: it may rub on its shank.`,
-    pitchOfTap: (d, w) => `Q239 is ${w.value(d.pitch)}, and the tap in the table has a PITCH of ${w.value(d.tap)}.`,
+      `The bore is ${w.size(d.depth)} deep, the edges of the drill (LCUTS) are ${w.size(d.edges)} long: it may rub on its shank.`,
+    pitchOfTap: (d, w) => `Q239 is ${w.size(d.pitch)}, and the tap in the table has a PITCH of ${w.size(d.tap)}.`,
     freeChosen: () => "From here on several contours fit what is given: the shortest is shown. A control takes the one that FSELECT names.",
     freeUnsolved: (d, w) =>
       `${w.text(d.form)}: what is given does not determine this element, or contradicts itself. Give more values, or FSELECT.`,
@@ -311,8 +312,8 @@ export const messages = {
       })[d.place],
     blankImpossible: () => "The blank has no volume: check its measures.",
     boxTurned: (d, w) =>
-      `The box turns as the cylinder round its corners, diameter ${w.value(d.outer)}. Only within diameter ${
-        w.value(d.inner)
+      `The box turns as the cylinder round its corners, diameter ${w.size(d.outer)}. Only within diameter ${
+        w.size(d.inner)
       } is there material all round for sure. ` + "A round bar is a BLK FORM CYLINDER.",
     blankTaken: (d, w) => `${w.text(d.what)} is taken as the blank.`,
     blankAdds: (d, w) => `${w.text(d.what)} outlines ${w.area(d.area)} more than BLK FORM has. The outline counts.`,

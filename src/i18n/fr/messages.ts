@@ -149,8 +149,9 @@ export const messages = {
       w,
     ) => (d.quantity === "tangent"
       ? `L’élément ${d.element} ne se raccorde pas tangentiellement ; l’écart est de ${w.number(d.nearest)}°.`
-      : `Élément ${d.element} : ${ELEMENT[d.quantity]} ${w.number(d.given)} contredit les autres valeurs ; `
-        + `${w.number(d.nearest)} convient.`),
+      : `Élément ${d.element} : ${ELEMENT[d.quantity]} ${
+        (d.quantity === "angle" ? w.number : w.size)(d.given)
+      } contredit les autres valeurs ; ` + `${(d.quantity === "angle" ? w.number : w.size)(d.nearest)} convient.`),
     elementUnreachable: (d) => `Élément ${d.element} : avec cette longueur, ce rayon ou cet angle, il n’atteint pas son voisin.`,
     centreMissing: (d) => `Élément ${d.element} : le centre manque ; placer CC avant.`,
     contourCrossesItself: (d) => `L’élément ${d.element} croise l’élément ${d.other}.`,
@@ -181,9 +182,9 @@ export const messages = {
     recessWord: (d) => `Élément ${d.element} : ${d.word} manque ou ne donne aucune forme possible.`,
     recessWordsExclusive: (d) => `Élément ${d.element} : ${d.other} et ${d.word} s’excluent. N’en indiquer qu’un.`,
     pitchNotListed: (d, w) => {
-      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.value(n)])).join(" et ");
+      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.size(n, 4)])).join(" et ");
       return `Élément ${d.element} : DIN 76 ne donne pas de dégagement pour un pas de ${
-        w.value(d.pitch)
+        w.size(d.pitch, 4)
       } ; les pas voisins sont ${near}. En prendre un, ou écrire ${d.words}.`;
     },
     undercutDefaults: (d) =>
@@ -265,8 +266,8 @@ export const messages = {
     feedUnlikely: (d, w) =>
       `Une avance de ${w.number(d.feed)} ${d.unit} est peu vraisemblable. Vérifier M136 : avec lui, F compte en mm par tour.`,
     drillTooShort: (d, w) =>
-      `Le trou a ${w.value(d.depth)} de profondeur, les arêtes du foret (LCUTS) ${w.value(d.edges)} : la queue peut frotter.`,
-    pitchOfTap: (d, w) => `Q239 vaut ${w.value(d.pitch)}, mais le taraud du tableau a un PITCH de ${w.value(d.tap)}.`,
+      `Le trou a ${w.size(d.depth)} de profondeur, les arêtes du foret (LCUTS) ${w.size(d.edges)} : la queue peut frotter.`,
+    pitchOfTap: (d, w) => `Q239 vaut ${w.size(d.pitch)}, mais le taraud du tableau a un PITCH de ${w.size(d.tap)}.`,
     freeChosen: () =>
       "À partir d’ici, plusieurs contours conviennent aux données : le plus court est montré. La commande prend celui que FSELECT désigne.",
     freeUnsolved: (d, w) =>
@@ -333,8 +334,8 @@ export const messages = {
       })[d.place],
     blankImpossible: () => "Le brut n’a pas de volume : vérifier ses cotes.",
     boxTurned: (d, w) =>
-      `Le parallélépipède tourne comme le cylindre autour de ses coins, diamètre ${w.value(d.outer)}. La matière n’est sûre tout autour `
-      + `que jusqu’au diamètre ${w.value(d.inner)}. Une barre ronde est un BLK FORM CYLINDER.`,
+      `Le parallélépipède tourne comme le cylindre autour de ses coins, diamètre ${w.size(d.outer)}. La matière n’est sûre tout autour `
+      + `que jusqu’au diamètre ${w.size(d.inner)}. Une barre ronde est un BLK FORM CYLINDER.`,
     blankTaken: (d, w) => `${w.text(d.what)} sert de brut.`,
     blankAdds: (d, w) => `${w.text(d.what)} décrit ${w.area(d.area)} de plus que BLK FORM. C’est ce contour qui compte.`,
     blankTraced: () =>

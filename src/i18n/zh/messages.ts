@@ -114,7 +114,9 @@ export const messages = {
       w,
     ) => (d.quantity === "tangent"
       ? `元素${d.element}与前一元素不相切，偏差${w.number(d.nearest)}°。`
-      : `元素${d.element}：${ELEMENT[d.quantity]}${w.number(d.given)}与其他数值矛盾，${w.number(d.nearest)}可用。`),
+      : `元素${d.element}：${ELEMENT[d.quantity]}${(d.quantity === "angle" ? w.number : w.size)(d.given)}与其他数值矛盾，${
+        (d.quantity === "angle" ? w.number : w.size)(d.nearest)
+      }可用。`),
     elementUnreachable: (d) => `元素${d.element}：按此长度、半径或角度无法到达相邻元素。`,
     centreMissing: (d) => `元素${d.element}：缺少圆心，请在其前面加入CC。`,
     contourCrossesItself: (d) => `元素${d.element}与元素${d.other}相交。`,
@@ -137,8 +139,8 @@ export const messages = {
     recessWord: (d) => `元素${d.element}：${d.word}缺失，或无法构成形状。`,
     recessWordsExclusive: (d) => `元素${d.element}：${d.other}与${d.word}只能输入其中一个。`,
     pitchNotListed: (d, w) => {
-      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.value(n)])).join("和");
-      return `元素${d.element}：DIN 76没有螺距${w.value(d.pitch)}的退刀槽，相邻的为${near}。请取其一，或写明${d.words}。`;
+      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.size(n, 4)])).join("和");
+      return `元素${d.element}：DIN 76没有螺距${w.size(d.pitch, 4)}的退刀槽，相邻的为${near}。请取其一，或写明${d.words}。`;
     },
     undercutDefaults: (d) => `元素${d.element}：${d.words}取自标准，本数控系统的手册未印出，建议写明。`,
     materialLeft: (d, w) =>
@@ -196,8 +198,8 @@ export const messages = {
     compensationActive: (d) => `此处${d.side}仍有效，而数控系统要求R0：请在之前的定位程序段中编写R0。`,
     feedZero: (d, w) => `${w.text(d.word)}：此处切削进给为0。请给出大于0的进给；FAUTO取用TOOL CALL中的F。`,
     feedUnlikely: (d, w) => `${w.number(d.feed)} ${d.unit}的进给不合常理。请检查M136：有它时F以毫米/转计。`,
-    drillTooShort: (d, w) => `孔深${w.value(d.depth)}，而钻头切削刃长度（LCUTS）为${w.value(d.edges)}：刀杆可能摩擦孔壁。`,
-    pitchOfTap: (d, w) => `Q239为${w.value(d.pitch)}，而刀具表中丝锥的PITCH为${w.value(d.tap)}。`,
+    drillTooShort: (d, w) => `孔深${w.size(d.depth)}，而钻头切削刃长度（LCUTS）为${w.size(d.edges)}：刀杆可能摩擦孔壁。`,
+    pitchOfTap: (d, w) => `Q239为${w.size(d.pitch)}，而刀具表中丝锥的PITCH为${w.size(d.tap)}。`,
     freeChosen: () => "从这里起有多个轮廓符合所给数据：显示的是最短的一个。数控系统采用FSELECT指定的那个。",
     freeUnsolved: (d, w) => `${w.text(d.form)}：所给数据不能确定该元素，或相互矛盾。请给出更多数据，或使用FSELECT。`,
     cycleNeverCalled: (d) => `循环${d.cycle}已定义但从未调用：其后缺少CYCL CALL或M99。`,
@@ -244,9 +246,7 @@ export const messages = {
       })[d.place],
     blankImpossible: () => "毛坯没有体积：请检查其尺寸。",
     boxTurned: (d, w) =>
-      `方料按包住其各角的圆柱旋转，直径 ${w.value(d.outer)}。只有直径 ${
-        w.value(d.inner)
-      } 以内整圈一定有材料。圆棒料请用 BLK FORM CYLINDER。`,
+      `方料按包住其各角的圆柱旋转，直径 ${w.size(d.outer)}。只有直径 ${w.size(d.inner)} 以内整圈一定有材料。圆棒料请用 BLK FORM CYLINDER。`,
     blankTaken: (d, w) => `${w.text(d.what)} 用作毛坯。`,
     blankAdds: (d, w) => `${w.text(d.what)} 的轮廓比 BLK FORM 多出${w.area(d.area)}。以该轮廓为准。`,
     blankTraced: () => "毛坯跟踪期间，粗加工省略不接触材料的层。数控系统可能缩短的其他空行程仍完整显示。",
