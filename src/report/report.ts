@@ -6,7 +6,7 @@ import type { Language } from "../i18n/languages.ts";
 import type { AnyIssue } from "../i18n/message-texts.ts";
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Kind } from "../cycles/params.ts";
-import type { Severity } from "../kernel/issue.ts";
+import { issue, type Severity } from "../kernel/issue.ts";
 import { part, type Pt, type Segment } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { IN_MM, toDiameter } from "../kernel/units.ts";
@@ -15,6 +15,7 @@ import { timesOf, type Times } from "../program/run-times.ts";
 import type { Operation, Run, RunFinding, Timing } from "../program/run-types.ts";
 import { stockIssues } from "../sim/issues.ts";
 import type { Simulation, Verdict } from "../sim/simulation.ts";
+import { BY_TOOL, toolsOffered } from "./offered-tool.ts";
 import { placesJoined, workOf } from "./places.ts";
 import { remedies } from "./remedies.ts";
 import { reportedMove, outsideCycles, type ReportMove } from "./report-moves.ts";
@@ -164,6 +165,12 @@ function issueOf({ issue: found, block, cycle, inFile }: Said, spoken: Lengths):
   };
 }
 
+/** An issue with the tool of the table that mends it. */
+function withTool(found: ReportIssue, { T, NAME }: Tool, spoken: Lengths): ReportIssue {
+  const offer = message(spoken, issue("betterTool", "info", { tool: T, name: NAME }));
+  return { ...found, data: { ...found.data, otherTool: T }, text: `${found.text} ${offer}` };
+}
+
 /** Everything a check needs: what the program did and what became of the stock. */
 export interface Checked {
   readonly file: string;
@@ -217,9 +224,14 @@ export function report(checked: Checked, language: Language): Report {
     operation: null,
     cycle: null,
   });
+  const toolFor = toolsOffered(checked.tools ?? []);
   const listed = (all: readonly Said[]): ReportIssue[] => {
     const placed = all.map((f) => ({ ...f, work: workOf(f, f.operation === null ? undefined : run.operations[f.operation]) }));
-    return placesJoined(placed).map((f) => issueOf(f, spoken));
+    return placesJoined(placed).map((f) => {
+      const operation = f.operation === null ? undefined : run.operations[f.operation];
+      const tool = operation && BY_TOOL.has(f.issue.code) && f.issue.severity !== "info" ? toolFor(operation) : null;
+      return tool ? withTool(issueOf(f, spoken), tool, spoken) : issueOf(f, spoken);
+    });
   };
   const operation = (o: Operation, index: number): ReportOperation => ({
     block: o.block,
