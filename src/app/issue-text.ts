@@ -2,8 +2,8 @@ import { createContext, useCallback, useContext } from "react";
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Spoken } from "../i18n/lengths.ts";
 import type { Texts } from "../i18n/index.ts";
+import { messageIn } from "../i18n/message.ts";
 import type { AnyIssue } from "../i18n/message-texts.ts";
-import { writer, type Write } from "../i18n/write.ts";
 import type { RunFinding } from "../program/run-types.ts";
 import { useLengths } from "./lengths.ts";
 import { useTexts } from "./settings/use-texts.ts";
@@ -15,8 +15,7 @@ import { useTexts } from "./settings/use-texts.ts";
 export function issueText(texts: Texts, spoken: Spoken, found: AnyIssue, cycle: number | null): string {
   const at = "at" in found ? found.at : undefined;
   const param = cycle === null || at === undefined ? undefined : cycleByNumber(cycle)?.params[at];
-  const say = texts.messages.of[found.code] as (data: AnyIssue["data"], write: Write) => string;
-  return say(found.data, writer(spoken, param?.kind));
+  return messageIn(texts, spoken, found, param?.kind);
 }
 
 /** Where something stands in the file of a called program, in words. */

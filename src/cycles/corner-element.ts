@@ -2,7 +2,6 @@ import type { CornerElement } from "../kernel/corner.ts";
 import { withCorners } from "../kernel/contour.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import type { Pt, Segment } from "../kernel/point.ts";
-import { angleUnder } from "../kernel/units.ts";
 
 /** A chamfer (1) or a radius (2) of a start or end element; none for type 0. */
 export const cornerElementOf = (type: number, size: number): CornerElement | null =>
@@ -55,6 +54,3 @@ export function edgesOf(names: readonly string[], start: string, end: string): {
 
 /** The legs of a contour that runs on beyond its ends: longer than any part, mm. */
 export const LEG = 1e5;
-
-/** The largest angle that fits, below its limit, on the four decimals a control keeps. */
-export const angleBelow = (limit: number) => Math.max(0, angleUnder(limit));

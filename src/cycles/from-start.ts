@@ -45,9 +45,4 @@ export function toldOfStart<O extends BoxOutline>(outline: O): O {
 }
 
 /** What a tool cannot follow of walls that nobody gave an angle: it lies with the tool. */
-export const atTool = (issues: readonly Issue[]): Issue[] =>
-  issues.map((i) => {
-    if (i.code !== "angleNotFollowed") return i;
-    const { nearest: _, ...data } = i.data;
-    return issue("angleNotFollowed", i.severity, data, "tool");
-  });
+export const atTool = (issues: readonly Issue[]): Issue[] => issues.map((i) => (i.code === "angleNotFollowed" ? { ...i, at: "tool" } : i));

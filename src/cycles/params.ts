@@ -77,6 +77,8 @@ export interface Param<K extends Kind = Kind, T extends string = string> {
   readonly rounds: boolean;
   /** A feed of axes that do not cut: M136 does not make it one per revolution. */
   readonly perMinute: boolean;
+  /** It is a dimension of the drawing: a finding may question its sign, and never offers another value. */
+  readonly drawn: boolean;
   /** What a control fills in where a list written by older software lacks this parameter (K2); null where no list may. */
   readonly filledIn: number | null;
 }
@@ -97,8 +99,13 @@ interface Options {
   counts?: Condition;
   rounds?: boolean;
   perMinute?: boolean;
+  drawn?: boolean;
   filledIn?: number;
 }
+
+/** What is shown of a drawing, and what of the shape in a help picture is a measure of it. */
+const DRAWN: ReadonlySet<Topic> = new Set<Topic>(["element", "pitch", "taperForm", "threadPosition", "threadOrientation", "threadStarts"]);
+const MEASURES: ReadonlySet<Kind> = new Set<Kind>(["diameter", "radial", "axial", "axialDepth", "length", "angle"]);
 
 function param<K extends Kind, T extends string>(
   kind: K,
@@ -126,6 +133,7 @@ function param<K extends Kind, T extends string>(
     counts: o.counts ?? (o.sizes === undefined ? null : { q: o.sizes, among: [1, 2] }),
     rounds: o.rounds ?? false,
     perMinute: o.perMinute ?? false,
+    drawn: o.drawn ?? (DRAWN.has(o.shown ?? "outline") || (MEASURES.has(kind) && (o.shown ?? "outline") === "outline")),
     filledIn: o.filledIn ?? null,
   };
 }

@@ -1,8 +1,8 @@
 import type { Frame } from "../kernel/flat.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import { part, type Pt } from "../kernel/point.ts";
-import { inDegrees, radians, roundedDown, toRadius } from "../kernel/units.ts";
-import { angleBelow, cornerElementOf, LEG, namedContour, roundOf } from "./corner-element.ts";
+import { inDegrees, radians, toRadius } from "../kernel/units.ts";
+import { cornerElementOf, LEG, namedContour, roundOf } from "./corner-element.ts";
 import type { Dimension } from "./define.ts";
 import { type BoxOutline, equalEnds, type ShoulderValues } from "./shoulder-outline.ts";
 import { JOINED, ROUND } from "../kernel/tolerance.ts";
@@ -36,13 +36,13 @@ export function recessOutline(v: ShoulderValues, frame: Frame): RecessOutline {
     const q = t1 >= t2 ? "Q495" : "Q496";
     const room = Math.max(0, W - D * Math.min(t1, t2));
     const max = inDegrees(Math.atan2(room, D));
-    return { ...none, issues: [issue("wallsMeet", "error", { angle: v[q], max, nearest: angleBelow(max) }, q)] };
+    return { ...none, issues: [issue("wallsMeet", "error", { angle: v[q], max }, q)] };
   }
   const legs = Math.tan(radians(45 - v.Q495 / 2)) + Math.tan(radians(45 - v.Q496 / 2));
   const widest = (w2 - w1) / legs;
   const tooWide = v.Q500 > widest + ROUND;
   if (tooWide)
-    issues.push(issue("cornersTooWide", "error", { radius: v.Q500, max: widest, nearest: roundedDown(widest) }, "Q500"));
+    issues.push(issue("cornersTooWide", "error", { radius: v.Q500, max: widest }, "Q500"));
   const round = roundOf(tooWide ? 0 : v.Q500);
   // Towards the axis a leg ends there: an outer element cannot be longer.
   const start = axialGroove && r1 < r2 ? Math.max(r1, JOINED) : LEG;

@@ -1,9 +1,8 @@
 import { type Flat, type Frame, toFlat, toPart } from "../kernel/flat.ts";
 import { issue, type Issue } from "../kernel/issue.ts";
 import { part, type Pt } from "../kernel/point.ts";
-import { type Axial, type Degrees, degrees, type Diameter, inDegrees, type Length, length, radians, rounded, STEP,
-  toRadius } from "../kernel/units.ts";
-import { angleBelow, cornerElementOf, LEG, namedContour, type NamedContour, roundOf } from "./corner-element.ts";
+import { type Axial, type Degrees, degrees, type Diameter, inDegrees, type Length, length, radians, toRadius } from "../kernel/units.ts";
+import { cornerElementOf, LEG, namedContour, type NamedContour, roundOf } from "./corner-element.ts";
 import type { Dimension, Outline } from "./define.ts";
 import { JOINED } from "../kernel/tolerance.ts";
 
@@ -57,11 +56,11 @@ export function shoulderOutline(v: ShoulderValues, transverse: boolean): BoxOutl
   const at = (a: number, h: number): Pt => toPart(frame, { u: p1.u + a, v: p2.v + h });
   if (A - H * t2 <= 0) {
     const max = inDegrees(Math.atan2(A, H));
-    return { ...none, issues: [issue("wallsMeet", "error", { angle: v.Q496, max, nearest: angleBelow(max) }, "Q496")] };
+    return { ...none, issues: [issue("wallsMeet", "error", { angle: v.Q496, max }, "Q496")] };
   }
   if (A * t1 >= H) {
     const max = inDegrees(Math.atan2(H, A));
-    return { ...none, issues: [issue("wallsMeet", "error", { angle: v.Q495, max, nearest: angleBelow(max) }, "Q495")] };
+    return { ...none, issues: [issue("wallsMeet", "error", { angle: v.Q495, max }, "Q495")] };
   }
   const a = (A - H * t2) / (1 - t1 * t2);
   const corner = at(a, a * t1);
@@ -83,14 +82,12 @@ const angleAt = (q: string, direction: number) => (q === "Q496" ? 90 - direction
 /** A contour whose start and end agree in a coordinate has no area, nor has one that lies wholly beyond the axis. */
 export function equalEnds(v: { Q491: Diameter; Q492: Axial; Q493: Diameter; Q494: Axial }): Issue[] {
   const issues: Issue[] = [];
-  if (v.Q491 === v.Q493) issues.push(issue("startEqualsEnd", "error", { other: "Q491", value: v.Q493, nearest: nextTo(v.Q493) }, "Q493"));
-  if (v.Q492 === v.Q494) issues.push(issue("startEqualsEnd", "error", { other: "Q492", value: v.Q494, nearest: nextTo(v.Q494) }, "Q494"));
+  if (v.Q491 === v.Q493) issues.push(issue("startEqualsEnd", "error", { other: "Q491", value: v.Q493 }, "Q493"));
+  if (v.Q492 === v.Q494) issues.push(issue("startEqualsEnd", "error", { other: "Q492", value: v.Q494 }, "Q494"));
   const outer = v.Q491 > v.Q493 ? "Q491" : "Q493";
-  if (v[outer] < 0) issues.push(issue("diameterNegative", "error", { value: v[outer], nearest: 0 }, outer));
+  if (v[outer] < 0) issues.push(issue("diameterNegative", "error", { value: v[outer], nearest: -v[outer] }, outer));
   return issues;
 }
-/** The next value on the control's grid. */
-const nextTo = (n: number) => rounded(n - STEP);
 
 function dimensionsOf(v: ShoulderValues, g: { start: Pt; corner: Pt; end: Pt; axisFoot: Pt; wallFoot: Pt }, frame: Frame): Dimension[] {
   // Along the axis the contour begins in the plane of the first corner, across it on the diameter.

@@ -3,7 +3,7 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import { part, type Pt } from "../kernel/point.ts";
 import { METRIC } from "../kernel/metric-thread.ts";
 import { ROUND } from "../kernel/tolerance.ts";
-import { axial, radians, radius, rounded, STEP, toRadius, type Axial, type Degrees, type Diameter, type Length } from "../kernel/units.ts";
+import { axial, radians, radius, toRadius, type Axial, type Degrees, type Diameter, type Length } from "../kernel/units.ts";
 import type { Dimension, Outline } from "./define.ts";
 
 /** The values of every thread cycle that shape what is drawn of it. */
@@ -33,20 +33,17 @@ export interface TaperValues {
 
 const pt = part.point;
 
-/** The next value on the control's grid. */
-const nextTo = (n: number) => rounded(n - STEP);
-
 /** What is wrong with the ends of a straight thread. */
 function endIssues(from: Pt, to: Pt, transverse: boolean, given: { Q491: Diameter; Q493?: Diameter; Q492: Axial; Q494: Axial }): Issue[] {
   const issues: Issue[] = [];
   for (const q of ["Q491", "Q493"] as const) {
     const value = given[q];
-    if (value !== undefined && value < 0) issues.push(issue("diameterNegative", "error", { value, nearest: 0 }, q));
+    if (value !== undefined && value < 0) issues.push(issue("diameterNegative", "error", { value, nearest: -value }, q));
   }
   if (transverse && Math.abs(from.r - to.r) < ROUND && given.Q493 !== undefined)
-    issues.push(issue("startEqualsEnd", "error", { other: "Q491", value: given.Q493, nearest: nextTo(given.Q493) }, "Q493"));
+    issues.push(issue("startEqualsEnd", "error", { other: "Q491", value: given.Q493 }, "Q493"));
   if (!transverse && Math.abs(from.z - to.z) < ROUND)
-    issues.push(issue("startEqualsEnd", "error", { other: "Q492", value: given.Q494, nearest: nextTo(given.Q494) }, "Q494"));
+    issues.push(issue("startEqualsEnd", "error", { other: "Q492", value: given.Q494 }, "Q494"));
   return issues;
 }
 

@@ -7,7 +7,7 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import type { Plan } from "../kernel/plan.ts";
 import type { Segment } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
-import { inDegrees, type Length, roundedAngle } from "../kernel/units.ts";
+import { inDegrees, type Length } from "../kernel/units.ts";
 import { ROUND } from "../kernel/tolerance.ts";
 
 /** Rounding of angles, radians. */
@@ -66,8 +66,7 @@ export function angleIssues(
       bounds[0] ?? { at: 0, edge: "mainEdge" });
     const beyond = Math.abs(max - direction);
     if (beyond <= (found.get(name)?.beyond ?? 0)) return;
-    const place = elements ? { element: elements[i] ?? 0 } : { nearest: roundedAngle(asValue(name, max)) };
-    const data = { angle: asValue(name, direction), max: asValue(name, max), edge, ...place };
+    const data = { angle: asValue(name, direction), max: asValue(name, max), edge, ...(elements && { element: elements[i] ?? 0 }) };
     found.set(name, { issue: issue("angleNotFollowed", "warning", data, name), beyond });
   });
   return [...found.values()].map((f) => f.issue);
@@ -76,9 +75,7 @@ export function angleIssues(
 /** A programmed corner radius that the insert is too round for. */
 export function cornerIssue(corner: Length, tool: Tool): Issue[] {
   const insert = noseRadius(tool);
-  return corner > 0 && corner < insert - ROUND
-    ? [issue("cornerSmallerThanInsert", "warning", { radius: corner, insert, nearest: insert }, "Q500")]
-    : [];
+  return corner > 0 && corner < insert - ROUND ? [issue("cornerSmallerThanInsert", "warning", { radius: corner, insert }, "Q500")] : [];
 }
 
 /** A plan with what its tool cannot follow; a tool that is unfit altogether needs no details. */

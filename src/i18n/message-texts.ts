@@ -14,5 +14,7 @@ export interface MessagesTexts {
   readonly severity: Readonly<Record<Severity, string>>;
   /** Why material stays, as it follows "left by". */
   readonly reasons: Readonly<Record<Reason, string>>;
+  /** A place with the number of further ones, as it follows "at". */
+  readonly morePlaces: (place: string, more: number) => string;
   readonly of: Sentences;
 }

@@ -7,7 +7,7 @@ export interface Write {
   /** A plain number. */
   readonly number: (value: number) => string;
   /** A length, mm, as the program counts; with its unit. */
-  readonly size: (mm: number) => string;
+  readonly size: (mm: number, decimals?: number) => string;
   readonly length: (mm: number) => string;
   /** A value of the field in question: with ⌀ where it is a diameter, with ° where it is an angle. */
   readonly value: (value: number) => string;
@@ -57,7 +57,7 @@ export function writer(spoken: Spoken, kind?: Kind): Write {
   const place = (x: number, z: number) => `X⌀${size(x)} Z${signed(z)}`;
   return {
     number,
-    size: (mm) => size(mm),
+    size,
     length: (mm) => `${size(mm)} ${lengths.unit}`,
     value: isDiameter(kind) ? diameter : plain,
     diameter,

@@ -2,12 +2,10 @@ import { cutCorner, type CornerElement } from "./corner.ts";
 import { selfCrossing } from "./crossing.ts";
 import { hypotenuse } from "./geometry/vectors.ts";
 import { issue, type Issue } from "./issue.ts";
-import { largestThatWorks, mends, offerOf, withOffer } from "./offer.ts";
 import type { Groove } from "./groove.ts";
 import { part, type Pt, type Segment, type Turn } from "./point.ts";
 import { putRecesses, type ContourChain, type Inset } from "./recessed.ts";
 import { ARC_END, ROUND, SAME } from "./tolerance.ts";
-import { roundedDown } from "./units.ts";
 import type { Undercut } from "./undercut.ts";
 
 const { arcByRadius, arcTangential, direction, lengthOf, line } = part;
@@ -73,7 +71,7 @@ export function withCorners(
       issues.push(issue("cornerElementAlone", "error", { element }, "contour"));
     else if (bends(current, next)) {
       const max = largestCorner(current, next, corner.kind, corner.size);
-      issues.push(issue("cornerElementTooLong", "error", { element, size: corner.size, max, nearest: roundedDown(max) }, "contour"));
+      issues.push(issue("cornerElementTooLong", "error", { element, size: corner.size, max }, "contour"));
     }
     current = cut?.after ?? next;
   });
@@ -120,14 +118,14 @@ export function segmentTo(from: Pt, before: Segment | undefined, e: PathElement,
     case "radius": {
       const arc = arcByRadius(from, e.to, e.radius, e.turn);
       if (arc.segment) return arc.segment;
-      issues.push(issue("arcTooSmall", "error", { element, radius: e.radius, nearest: arc.nearest }, "contour"));
+      issues.push(issue("arcTooSmall", "error", { element, radius: e.radius }, "contour"));
       return line(from, e.to);
     }
     case "centre": {
       const [start, end] = [from, e.to].map((p) => hypotenuse(p.z - e.centre.z, p.r - e.centre.r)) as [number, number];
       const gap = Math.abs(start - end);
       if (gap <= ARC_END && start > SAME) return { kind: "arc", from, to: e.to, centre: e.centre, turn: e.turn };
-      issues.push(issue("arcOffCircle", "error", { element, gap, nearest: start }, "contour"));
+      issues.push(issue("arcOffCircle", "error", { element, gap }, "contour"));
       return line(from, e.to);
     }
     case "tangent": {
@@ -139,39 +137,8 @@ export function segmentTo(from: Pt, before: Segment | undefined, e: PathElement,
   }
 }
 
-/** Elements whose offers are tried, and the longest contour for which they are. */
-const MOST_TRIED = 6;
-const LONGEST_TRIED = 2000;
-
-/** The same finding with the value that its element takes without a new error, or with none. */
-function triedElement(found: Issue, programmed: readonly ContourElement[], before: readonly Issue[], tryIt: boolean): Issue {
-  const offer = offerOf(found);
-  if (offer === null || (found.code !== "cornerElementTooLong" && found.code !== "arcTooSmall")) return found;
-  const at = found.data.element - 1;
-  const e = programmed[at];
-  const works = (value: number): boolean => {
-    const other = e && ("size" in e ? { ...e, size: value } : e.kind === "radius" ? { ...e, radius: value } : null);
-    return Boolean(other) && mends(found, before, built(programmed.with(at, other as ContourElement)).issues);
-  };
-  if (!tryIt) return withOffer(found, null);
-  if (found.code === "arcTooSmall") return withOffer(found, works(offer) ? offer : null);
-  return withOffer(found, largestThatWorks(offer, works));
-}
-
-/**
- * Builds the segments of a programmed contour. Its first element only says where the contour starts. A size that it offers for an
- * element has been tried.
- */
+/** Builds the segments of a programmed contour. Its first element only says where the contour starts. */
 export function contourFrom(programmed: readonly ContourElement[]): Contour {
-  const made = built(programmed);
-  let tried = 0;
-  const issues = made.issues.map((each) =>
-    triedElement(each, programmed, made.issues, offerOf(each) !== null && tried++ < MOST_TRIED && programmed.length <= LONGEST_TRIED)
-  );
-  return { ...made, issues };
-}
-
-function built(programmed: readonly ContourElement[]): Contour {
   const issues: Issue[] = [];
   const chain: ContourChain = { segments: [], corners: [], segmentNumbers: [], cornerNumbers: [] };
   const recesses: Inset[] = [];

@@ -10,7 +10,10 @@ export type Severity = "error" | "warning" | "info";
 export type Reason = "insertRadius" | "mainEdge" | "secondaryEdge" | "toolWidth" | "cutLength" | "limit" | "plunging" | "oversize"
   | "smoothing" | "correction" | "overCrest";
 
-/** The data of each code. `nearest` is the nearest value that works, in the units of the field at `at`: tried, or left out. */
+/**
+ * The data of each code. `nearest` is the nearest value that works, in the units of the field at `at`: tried, or left out. It never is
+ * another dimension of the drawing; where the sign of one is impossible, it is the other sign.
+ */
 interface Data {
   /* single values */
   missing: {};
@@ -21,18 +24,22 @@ interface Data {
   notWhole: { value: number; nearest?: number };
   notAChoice: { value: number; choices: readonly number[]; nearest?: number };
   /* values against each other */
-  startEqualsEnd: { other: string; value: number; nearest?: number };
+  startEqualsEnd: { other: string; value: number };
   /** A simple cycle starts where the tool stands: level with its end there is nothing between the two. */
   startLevelWithEnd: { axis: "X" | "Z"; value: number };
   /** A diameter in the range of the control that no contour of this cycle can have: the far side of the axis. */
   diameterNegative: { value: number; nearest?: number };
-  elementTooLong: { size: number; max: number; nearest?: number };
-  cornersTooWide: { radius: number; max: number; nearest?: number };
-  wallsMeet: { angle: number; max: number; nearest?: number };
+  /** The end of a contour in front of its start, where there is no material: a minus that was forgotten. */
+  endInFront: { value: number; nearest: number };
+  /** Start and end of a contour, ⌀ or Z, in an order in which there is no material for it, and in the other order there is. */
+  endsExchanged: { axis: "X" | "Z"; start: number; end: number; other: string };
+  elementTooLong: { size: number; max: number };
+  cornersTooWide: { radius: number; max: number };
+  wallsMeet: { angle: number; max: number };
   /* values against the tool */
-  cornerSmallerThanInsert: { radius: number; insert: number; nearest?: number };
+  cornerSmallerThanInsert: { radius: number; insert: number };
   recessNarrowerThanTool: { width: number; tool: number; nearest?: number };
-  angleNotFollowed: { angle: number; max: number; nearest?: number; edge: "mainEdge" | "secondaryEdge" | "toolWidth"; element?: number };
+  angleNotFollowed: { angle: number; max: number; edge: "mainEdge" | "secondaryEdge" | "toolWidth"; element?: number };
   tooManyPasses: { passes: number; most: number; nearest?: number };
   infeedOverCutLength: { infeed: number; cutLength: number; nearest?: number };
   depthOverCutLength: { depth: number; cutLength: number };
@@ -115,9 +122,9 @@ interface Data {
   contourEndCovered: { x: number; z: number };
   contourPoint: { element: number };
   cornerElementAlone: { element: number };
-  cornerElementTooLong: { element: number; size: number; max: number; nearest?: number };
-  arcOffCircle: { element: number; gap: number; nearest?: number };
-  arcTooSmall: { element: number; radius: number; nearest?: number };
+  cornerElementTooLong: { element: number; size: number; max: number };
+  arcOffCircle: { element: number; gap: number };
+  arcTooSmall: { element: number; radius: number };
   /** Values still missing before an element is determined. */
   elementFree: { element: number; freedom: number };
   /** Something given does not agree with the rest; `nearest` does. Degrees for angles, mm otherwise. */

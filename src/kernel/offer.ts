@@ -11,10 +11,17 @@ export function withOffer(found: Issue, offer: number | null): Issue {
   return { ...found, data: offer === null ? data : { ...data, nearest: offer } } as Issue;
 }
 
-const keyOf = ({ code, at, data }: Issue) => `${code} ${at ?? ""} ${"element" in data ? data.element : ""}`;
+/** As much of a finding as tells it from others. */
+interface Told extends Pick<Issue, "severity"> {
+  readonly code: string;
+  readonly at?: string;
+  readonly data: object;
+}
+
+const keyOf = ({ code, at, data }: Told) => `${code} ${at ?? ""} ${"element" in data ? data.element : ""}`;
 
 /** Whether a change mends a finding: it is gone, and no error came that was not there before. */
-export function mends(found: Issue, before: readonly Issue[], after: readonly Issue[]): boolean {
+export function mends(found: Told, before: readonly Told[], after: readonly Told[]): boolean {
   const known = new Set(before.filter((each) => each.severity === "error").map(keyOf));
   return !after.some((each) => keyOf(each) === keyOf(found) || (each.severity === "error" && !known.has(keyOf(each))));
 }

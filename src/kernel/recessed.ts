@@ -3,7 +3,7 @@ import { grooveShape, type Groove } from "./groove.ts";
 import { issue, type Issue } from "./issue.ts";
 import { at, part, type Segment } from "./point.ts";
 import { SAME } from "./tolerance.ts";
-import { roundedDown, toDiameter } from "./units.ts";
+import { toDiameter } from "./units.ts";
 import { neighboursOfPitch } from "./undercut-table.ts";
 import { undercutShape, type Undercut } from "./undercut.ts";
 
@@ -28,7 +28,7 @@ export interface ContourChain {
 }
 
 const tooLong = (element: number, size: number, max: number): Issue =>
-  issue("cornerElementTooLong", "error", { element, size, max, nearest: roundedDown(max) }, "contour");
+  issue("cornerElementTooLong", "error", { element, size, max }, "contour");
 
 /** Puts segments in the place of `count` segments from `index`; `inner` are the corners between them, all of one element. */
 function replace(

@@ -13,6 +13,7 @@ import { exactly, type PlanMemory } from "./plan-memory.ts";
 import { unlikelyFeeds } from "./preconditions.ts";
 import type { Operation } from "./run-types.ts";
 import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
+import { slipAtCall } from "./slips.ts";
 import { threadWarnings } from "./thread-warnings.ts";
 import { judgeOf, triedOffers } from "./tried.ts";
 
@@ -66,14 +67,19 @@ function answer(
   const planned = called ? plan.issues : [];
   const turning = threadWarnings(cycle, plan, spindle, machine.clock.rapid);
   const own = issues.filter((i) => i.code !== "missing" || !defined.troubled.has(i.at ?? ""));
-  const found = unique([...own, ...outlined, ...planned, ...turning]);
+  const judge = judgeOf(cycle, called ? setting : null, given);
+  // An impossible sign or order explains whatever tool and path say to it.
+  const slip = values && called && judge && own.length === 0
+    ? slipAtCall({ cycle, values, setting, judge, outlined, planned: plan.issues })
+    : null;
+  const found = slip ?? unique([...own, ...outlined, ...planned, ...turning]);
   const news = found.filter((i) => i.at !== "contour" || (told !== null && !told.includes(i.code)));
-  const offered = triedOffers(cycle.params, partial, news, judgeOf(cycle, called ? setting : null, given));
+  const offered = slip ?? triedOffers(cycle.params, partial, news, judge, start);
   const feeds = values && plan !== nothing
     ? unlikelyFeeds(cycle, values, plan.moves, machine, (v) => cycle.plan(v, setting, given).moves)
     : [];
   return {
-    plan: shiftedPlan(plan, datum),
+    plan: shiftedPlan(slip ? { ...plan, issues: slip } : plan, datum),
     found,
     said: [...offered, ...feeds],
     call: values && { values, given, autoFeed, start, datum },

@@ -83,8 +83,6 @@ interface Data {
   blankTraced: {};
   poleMissing: {};
   startUnknown: {};
-  /** The end of a contour in front of its start, where there is no material: a minus that was forgotten. */
-  endInFront: { value: number; nearest: number };
   /** A measure of the blank that somebody has set, and the contour that it does not agree with: ⌀ or Z, mm. */
   blankAgainstContour: { place: "outside" | "bore" | "length" | "allowance" | "thread"; contour: number; blank: number; other?: string;
     nearest: number };

@@ -5,7 +5,7 @@ import { issue } from "../kernel/issue.ts";
 import type { Move } from "../kernel/move.ts";
 import { part, type Pt, type Segment } from "../kernel/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
-import { roundedDown, type Feed as FeedNumber } from "../kernel/units.ts";
+import type { Feed as FeedNumber } from "../kernel/units.ts";
 import type { FeedWord, PolarWord, Words } from "../nc/statement.ts";
 import { blockFeed, takeFeed } from "./block-feed.ts";
 import { datumShiftOf } from "./datum.ts";
@@ -53,8 +53,7 @@ function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index
   if (!cut) {
     const { kind, size } = corner.element;
     const max = largestCorner(held.segment, segment, kind, size);
-    machine.log.say(issue("cornerElementTooLong", "error", { element: held.element, size, max, nearest: roundedDown(max) }, "contour"),
-      corner.index);
+    machine.log.say(issue("cornerElementTooLong", "error", { element: held.element, size, max }, "contour"), corner.index);
   }
   run(machine, cut?.before ?? held.segment, held.feed, held.index);
   if (cut) run(machine, cut.between, corner.feed, corner.index);

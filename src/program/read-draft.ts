@@ -51,7 +51,7 @@ export function readDraft<P extends Params>(
   }
   const { contour, outline } = cycle;
   const judge = contour === "own" && outline
-    ? (values: Values<P>) => ({ issues: outline(values, { contour: null, start: null }).issues, moves: 0 })
+    ? (values: Values<P>) => ({ issues: outline(values, { contour: null, start: null }).issues, moves: 0, passes: null })
     : null;
   const found = Object.values(perField).flatMap((field) => field.issue ?? []);
   const issues = found.map((each) => triedOffers(cycle.params, partial, [each], judge)[0] ?? each);

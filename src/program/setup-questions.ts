@@ -1,5 +1,5 @@
 import type { Cycle } from "../cycles/define.ts";
-import type { Param } from "../cycles/params.ts";
+import type { Issue } from "../kernel/issue.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import { diameter, radius, rounded, toDiameter, toRadius } from "../kernel/units.ts";
 import type { Tool } from "../kernel/tool.ts";
@@ -8,12 +8,11 @@ import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { BlankDraft, SetJob } from "./job.ts";
 import type { LikelyWork } from "./likely.ts";
 import type { Setup, SetupPlace } from "./setup.ts";
+import { endInFront, endsAlong } from "./slips.ts";
 import type { DraftReading } from "./read-draft.ts";
 
 /** A contour may begin this part of its length in front of the blank without a question: cuts are begun in the air. */
 const MOST_AHEAD = 0.5;
-/** Tips that point away from the chuck: whoever takes such a tool means to work that way. */
-const AWAY: ReadonlySet<number> = new Set([3, 4, 5]);
 
 /** What is asked about: a work as typed, with what stands in its set-up. */
 export interface Asked {
@@ -26,21 +25,12 @@ export interface Asked {
 
 const numberAt = (blank: BlankDraft, field: keyof BlankDraft) => readText(anyNumber, blank[field]).value;
 
-/** Names of the parameters that say where a contour lies in X, or in Z. */
-const placesOf = (cycle: Cycle, kind: "diameter" | "axial") =>
-  Object.entries<Param>(cycle.params).filter(([, p]) => p.kind === kind && p.shown === "outline" && !p.incremental).map(([q]) => q);
-
-/** An end that lies in front of its start, where there is no material unless its minus was forgotten. */
-function slips({ cycle, job, setup, partial, tools }: Asked, { from, to }: LikelyWork): ProgramIssue[] {
-  const q = Object.keys(cycle.params).find((name) => cycle.params[name]?.text === "endZ");
-  const value = q === undefined ? undefined : partial[q];
-  if (q === undefined || typeof value !== "number" || !(value > 0) || to.z <= from.z || -value >= from.z) return [];
-  if (placesOf(cycle, "axial").some((name) => typeof partial[name] !== "number")) return [];
+/** An end in front of the work, as far as somebody has chosen tool and blank. */
+function slips({ cycle, job, setup, partial, tools }: Asked, { from, to }: LikelyWork): Issue[] {
   const front = setup.proposed.has("blank.allowance") ? null : numberAt(job.blank, "allowance");
-  if (front !== null && value <= front + SAME) return [];
-  const tool = tools.find(({ T }) => T === job.tool);
-  if (!setup.proposed.has("tool") && tool && AWAY.has(tool.TO)) return [];
-  return [programIssue("endInFront", "warning", { value, nearest: -value }, q)];
+  const tool = setup.proposed.has("tool") ? null : tools.find(({ T }) => T === job.tool) ?? null;
+  const found = endInFront({ cycle, values: partial, from: from.z, to: to.z, blank: front === null ? null : { front }, tool });
+  return found ? [found] : [];
 }
 
 /** Where a blank that somebody has set does not agree with the contour: it is cut in the air, or out of the blank. */
@@ -48,7 +38,7 @@ function blankQuestions({ cycle, job, setup, partial }: Asked, work: LikelyWork)
   const { box, inside, shape } = work;
   const { blank } = job;
   const free = cycle.contour === "free";
-  const [across, along] = [placesOf(cycle, "diameter"), placesOf(cycle, "axial")];
+  const [across, along] = [endsAlong(cycle, "diameter"), endsAlong(cycle, "axial")];
   const typed = (q: string) => typeof partial[q] === "number";
   const isSet = (place: SetupPlace) => !setup.proposed.has(place);
   const [outside, bore, length, front] = (["outside", "bore", "length", "allowance"] as const).map((field) => numberAt(blank, field));
@@ -89,7 +79,7 @@ function blankQuestions({ cycle, job, setup, partial }: Asked, work: LikelyWork)
 }
 
 /** Questions where values and set-up do not agree, each with what would mend it. Nothing of them is an error: both can be meant. */
-export function setupQuestions(asked: Asked): readonly ProgramIssue[] {
+export function setupQuestions(asked: Asked): readonly (Issue | ProgramIssue)[] {
   const { work } = asked.setup;
   return work ? [...slips(asked, work), ...blankQuestions(asked, work)] : [];
 }

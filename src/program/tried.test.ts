@@ -84,18 +84,40 @@ describe("a value that is offered", () => {
     expect(offers).toBeGreaterThan(50);
   });
 
-  test("is another one where the first would only move the fault", () => {
-    const found = at(issuesOf(812, { ...example(812), Q495: 0, Q500: 60, Q502: 0.5 }, 1, [75, 2]), "elementTooLong", "Q500");
-    const offer = (found && offerOf(found)) ?? 0;
-    expect(offer).toBeGreaterThan(10);
-    expect(keys(issuesOf(812, { ...example(812), Q495: 0, Q500: offer }, 1, [75, 2]))).toEqual(new Set());
-    expect(keys(issuesOf(812, { ...example(812), Q495: 0, Q500: offer + 0.001 }, 1, [75, 2])).size).toBeGreaterThan(0);
+  test("is none of the drawing: it names the limit, and nothing that would change the part", () => {
+    const tooLong = at(issuesOf(812, { ...example(812), Q495: 0, Q500: 60, Q502: 0.5 }, 1, [75, 2]), "elementTooLong", "Q500");
+    expect(tooLong?.data).toMatchObject({ size: 60, max: expect.any(Number) });
+    expect(tooLong && offerOf(tooLong)).toBeNull();
+    const round = at(issuesOf(812, { ...example(812), Q500: 0.4 }, 1, [75, 2]), "cornerSmallerThanInsert", "Q500");
+    expect(round && offerOf(round)).toBeNull();
   });
 
-  test("is left out where no value works", () => {
-    const found = issuesOf(852, example(852), 9, [75, 2]).filter((each) => each.code === "angleNotFollowed");
-    for (const each of found) expect(offerOf(each) ?? 0).toBeLessThanOrEqual(89.9999);
-    const prompts = readDraft(cycleByNumber(812) as never, { ...exampleDraft(cycleByNumber(812) as never), Q501: "7", Q502: "500" });
-    expect(prompts.issues).toMatchObject([{ code: "notAChoice", at: "Q501", data: { nearest: 0 } }]);
+  test("is the other sign of a dimension whose sign is impossible", () => {
+    const offered = (q: string, value: string) =>
+      readDraft(cycleByNumber(812) as never, { ...exampleDraft(cycleByNumber(812) as never), [q]: value }).issues;
+    expect(offered("Q500", "-2")).toMatchObject([{ code: "outOfRange", data: { nearest: 2 } }]);
+    expect(offered("Q502", "500").map((each) => offerOf(each))).toEqual([]);
+    expect(offered("Q500", "5000").map((each) => offerOf(each))).toEqual([null]);
+    expect(offered("Q501", "7").map((each) => offerOf(each))).toEqual([null]);
+    expect(offered("Q506", "7").map((each) => offerOf(each))).toEqual([2]);
+    const negative = issuesOf(831, { ...example(831), Q475: 1, Q476: 1, Q491: -100 }, 12, [110, 10]);
+    expect(negative.map((each) => [each.code, each.at, each.data])).toContainEqual(["diameterNegative", "Q491", {
+      value: -100,
+      nearest: 100,
+    }]);
+  });
+
+  test("is an infeed with which a setter gets done, and a value that he would type", () => {
+    const fine = at(issuesOf(812, { ...example(812), Q463: 0.001 }, 1, [75, 2]), "tooManyPasses", "Q463");
+    expect(fine && offerOf(fine)).toBe(0.2);
+    const none = at(issuesOf(812, { ...example(812), Q463: 0 }, 1, [75, 2]), "outOfRange", "Q463");
+    expect(none && offerOf(none)).toBe(0.2);
+    const late = at(issuesOf(820, { ...example(820), Q463: 1000 }, 15, [75, 2]), "outOfRange", "Q463");
+    expect(late && offerOf(late)).toBe(5);
+  });
+
+  test("is not an infeed where no path could be tried", () => {
+    const prompts = readDraft(cycleByNumber(812) as never, { ...exampleDraft(cycleByNumber(812) as never), Q463: "0" });
+    expect(prompts.issues.map((each) => [each.code, offerOf(each)])).toEqual([["outOfRange", null]]);
   });
 });

@@ -1,21 +1,23 @@
 import { lengthsIn, type Lengths } from "../i18n/lengths.ts";
-import { message } from "../i18n/message.ts";
+import { measureOf, message } from "../i18n/message.ts";
+import { printedLengths } from "../i18n/printed-lengths.ts";
 import { isLength } from "../i18n/write.ts";
 import type { Language } from "../i18n/languages.ts";
 import type { AnyIssue } from "../i18n/message-texts.ts";
 import { cycleByNumber } from "../cycles/index.ts";
 import type { Kind } from "../cycles/params.ts";
 import type { Clamping } from "../kernel/clamping.ts";
-import type { Severity } from "../kernel/issue.ts";
+import { issue, type Severity } from "../kernel/issue.ts";
 import { part, type Pt, type Segment } from "../kernel/point.ts";
 import type { Tool } from "../kernel/tool.ts";
 import { IN_MM, toDiameter } from "../kernel/units.ts";
 import { programIssue } from "../program/issue.ts";
 import { timesOf, type Times } from "../program/run-times.ts";
 import type { Operation, Run, RunFinding, Timing } from "../program/run-types.ts";
-import type { ProofIssue } from "../sim/causes.ts";
 import { stockIssues } from "../sim/issues.ts";
 import type { Simulation, Verdict } from "../sim/simulation.ts";
+import { BY_TOOL, toolsOffered } from "./offered-tool.ts";
+import { placesJoined, workOf } from "./places.ts";
 import { remedies } from "./remedies.ts";
 import { reportedMove, outsideCycles, type ReportMove } from "./report-moves.ts";
 import { verdictOf, type Judged, type VerdictReason } from "./verdict.ts";
@@ -64,7 +66,7 @@ export interface Milliseconds {
   readonly simulate: number;
 }
 
-/** What one program does, as data for other programs. Lengths mm, also of inch programs. */
+/** What one program does, as data for other programs. Lengths mm, also of inch programs, but for the data of its issues. */
 export interface Report {
   readonly format: "turnwise-report/1";
   readonly file: string;
@@ -114,11 +116,10 @@ function contourOf(contour: readonly Segment[]): ReportPoint[] {
   return first ? [pointOf(first.from), ...contour.flatMap((s) => part.flattened(s, CONTOUR_CHORD).slice(1).map(pointOf))] : [];
 }
 
-interface Place {
-  readonly at?: string | undefined;
-  readonly block: number | null;
+/** A finding of the run or of the stock; `cycle` tells what the value at its place measures. */
+interface Said extends Pick<RunFinding, "block" | "operation" | "inFile"> {
+  readonly issue: AnyIssue;
   readonly cycle: number | null;
-  readonly inFile?: RunFinding["inFile"];
 }
 
 /** Offers that are none of a length, or one of a tool table, which counts in mm in any program. */
@@ -134,16 +135,27 @@ const OTHER_OFFERS: ReadonlySet<AnyIssue["code"]> = new Set([
 /** Decimals of an offer in another unit than mm, as its sentence shows it. */
 const OFFERED = 5;
 
-/** The data of a finding, with what it offers in the unit of the program; every other length stays in mm. */
-function dataOf(found: AnyIssue, kind: Kind | undefined, { unit, per }: Lengths): object {
-  const { data } = found;
-  if (unit === "mm" || !("nearest" in data) || typeof data.nearest !== "number") return data;
-  const isAngle = "quantity" in data && (data.quantity === "angle" || data.quantity === "tangent");
-  if (kind === undefined ? isAngle || OTHER_OFFERS.has(found.code) : !isLength(kind)) return data;
-  return { ...data, nearest: Number((data.nearest / per).toFixed(OFFERED)) };
+/** Whether what a finding offers is a length. */
+function offersLength({ code, data }: AnyIssue, kind: Kind | undefined): boolean {
+  if (kind !== undefined) return isLength(kind);
+  return !OTHER_OFFERS.has(code) && !("quantity" in data && (data.quantity === "angle" || data.quantity === "tangent"));
 }
 
-function issueOf(found: AnyIssue, { at, block, cycle, inFile }: Place, spoken: Lengths): ReportIssue {
+/** The data of a finding: what its sentence prints and what it offers in the unit of the program, as they are read together. */
+function dataOf(found: AnyIssue, field: Kind | undefined, { unit, per }: Lengths): object {
+  const { data } = found;
+  if (unit === "mm") return data;
+  const kind = measureOf(found, field), printed = printedLengths(found, kind);
+  return Object.fromEntries(Object.entries(data).map(([name, value]: [string, unknown]) => {
+    if (typeof value !== "number") return [name, value];
+    if (name === "nearest") return [name, offersLength(found, kind) ? Number((value / per).toFixed(OFFERED)) : value];
+    const as = printed.get(name);
+    return [name, as === "length" ? value / per : as === "area" ? value / per ** 2 : value];
+  }));
+}
+
+function issueOf({ issue: found, block, cycle, inFile }: Said, spoken: Lengths): ReportIssue {
+  const { at } = found;
   const field = at === undefined || cycle === null ? undefined : cycleByNumber(cycle)?.params[at]?.kind;
   return {
     code: found.code,
@@ -154,6 +166,12 @@ function issueOf(found: AnyIssue, { at, block, cycle, inFile }: Place, spoken: L
     data: dataOf(found, field, spoken),
     text: message(spoken, found, field),
   };
+}
+
+/** An issue with the tool of the table that mends it. */
+function withTool(found: ReportIssue, { T, NAME }: Tool, spoken: Lengths): ReportIssue {
+  const offer = message(spoken, issue("betterTool", "info", { tool: T, name: NAME }));
+  return { ...found, data: { ...found.data, otherTool: T }, text: `${found.text} ${offer}` };
 }
 
 /** Everything a check needs: what the program did and what became of the stock. */
@@ -198,13 +216,26 @@ export function report(checked: Checked, language: Language): Report {
   const judged = verdictOf(run, simulation);
   const { gouge, rapidInStock, cut, airPasses, deepest, holder } = simulation.proof;
   const proved = stockIssues(simulation);
-  const cycleOf = (operation: number | null) => (operation === null ? null : (run.operations[operation]?.cycle ?? null));
-  const proofIssue = (p: ProofIssue) => {
+  const ran = run.issues.map((f): Said => ({ ...f, cycle: f.operation === null ? null : (run.operations[f.operation]?.cycle ?? null) }));
+  const stands = proved.map((p): Said => {
     const block = p.block ?? (p.operation === null ? null : (run.operations[p.operation]?.block ?? null));
-    return issueOf(p.issue, { at: p.issue.at, block, cycle: null }, spoken);
+    return { ...p, block, cycle: null };
+  });
+  const notProved = (what: string, block: number | null): Said => ({
+    issue: programIssue("notProved", "warning", { what }),
+    block,
+    operation: null,
+    cycle: null,
+  });
+  const toolFor = toolsOffered(checked.tools ?? []);
+  const listed = (all: readonly Said[]): ReportIssue[] => {
+    const placed = all.map((f) => ({ ...f, work: workOf(f, f.operation === null ? undefined : run.operations[f.operation]) }));
+    return placesJoined(placed).map((f) => {
+      const operation = f.operation === null ? undefined : run.operations[f.operation];
+      const tool = operation && BY_TOOL.has(f.issue.code) && f.issue.severity !== "info" ? toolFor(operation) : null;
+      return tool ? withTool(issueOf(f, spoken), tool, spoken) : issueOf(f, spoken);
+    });
   };
-  const notProved = (what: string, block: number | null) =>
-    issueOf(programIssue("notProved", "warning", { what }), { block, cycle: null }, spoken);
   const operation = (o: Operation, index: number): ReportOperation => ({
     block: o.block,
     cycle: o.cycle,
@@ -215,17 +246,7 @@ export function report(checked: Checked, language: Language): Report {
     infeed: o.plan.infeed,
     moves: run.steps.slice(o.firstStep, o.lastStep + 1).map((s) => reportedMove(s.move, s.block)),
     seconds: o.seconds,
-    issues: [
-      ...run.issues.filter((f) => f.operation === index).map((f) =>
-        issueOf(f.issue, {
-          at: "at" in f.issue ? f.issue.at : undefined,
-          block: f.block,
-          cycle: o.cycle,
-          ...(f.inFile && { inFile: f.inFile }),
-        }, spoken)
-      ),
-      ...proved.filter((p) => p.operation === index).map(proofIssue),
-    ],
+    issues: listed([...ran, ...stands].filter((f) => f.operation === index)),
   });
   return {
     format: "turnwise-report/1",
@@ -247,19 +268,12 @@ export function report(checked: Checked, language: Language): Report {
       verdict: judged.verdict,
       reasons: judged.reasons,
     },
-    issues: [
-      ...run.issues.map((f) =>
-        issueOf(f.issue, {
-          at: "at" in f.issue ? f.issue.at : undefined,
-          block: f.block,
-          cycle: cycleOf(f.operation),
-          ...(f.inFile && { inFile: f.inFile }),
-        }, spoken)
-      ),
+    issues: listed([
+      ...ran,
       ...judged.reasons.flatMap((r) => (r.kind === "milling" ? [notProved(MILLING, r.block)] : [])),
       ...simulation.proof.unproved.slice(run.unproved.length).map(({ what, block }) => notProved(what, block)),
-      ...proved.map(proofIssue),
-    ],
+      ...stands,
+    ]),
     time: { ...timesOf(run), ...timing },
     milliseconds,
   };

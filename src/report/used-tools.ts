@@ -4,9 +4,11 @@ import type { Report } from "./report.ts";
 /** A tool as it is called: by its number, with or without an index, or by its name. */
 export type CalledAs = number | string;
 
-/** A finding that names a tool which its program does not call: the one that stands in, or would do better. */
-const namedIn = (data: object | undefined): CalledAs[] =>
-  data && "tool" in data && (typeof data.tool === "number" || typeof data.tool === "string") ? [data.tool] : [];
+/** Tools that a finding names and its program does not call: one that stands in, or one that would do better. */
+const namedIn = (data: object = {}): CalledAs[] => {
+  const { tool, otherTool } = data as { readonly tool?: unknown; readonly otherTool?: unknown };
+  return [tool, otherTool].filter((each): each is CalledAs => typeof each === "number" || typeof each === "string");
+};
 
 /**
  * The tools that programs need to come to the same report: all that they call, wherever it is, and all that the report names. Null where

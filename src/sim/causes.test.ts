@@ -1,6 +1,8 @@
 import { expect, test } from "vitest";
 import { issue } from "../kernel/issue.ts";
+import { axial, radius } from "../kernel/units.ts";
 import { causesAlone, type ProofIssue } from "./causes.ts";
+import { stockIssues } from "./issues.ts";
 
 const place = { area: 1, x: 40, z: -5 };
 const rapid = issue("rapidInStock", "error", place), gouge = issue("gouge", "error", place);
@@ -27,4 +29,25 @@ test.each<[string, ProofIssue[], string[]]>([
   ["residual material beside passes in the air is reported", [at(air, 0), at(left, 0)], ["airPasses", "materialLeft"]],
 ])("%s", (_, all, expected) => {
   expect(told(all)).toEqual(expected);
+});
+
+test("an operation that failed by an error of its plan says nothing of the stock that follows from it", () => {
+  const all = [at(nothing, 0), at(air, 0), at(left, 0), at(rapid, 0), at(nothing, 1), at(left, 1), at(left, 2)];
+  expect(causesAlone(all, { failed: new Set([0, 2]), questioned: new Set() }).map(({ issue, operation }) => [operation, issue.code]))
+    .toEqual([[0, "rapidInStock"], [1, "nothingCut"]]);
+});
+
+test("a questioned dimension explains what tool and stock say at its operation, not damage", () => {
+  const all = [at(nothing, 0), at(holder, 0), at(left, 0), at(gouge, 0), at(holder, 1)];
+  const found = causesAlone(all, { failed: new Set(), questioned: new Set([0]) });
+  expect(found.map(({ issue, operation }) => [operation, issue.code])).toEqual([[0, "gouge"], [1, "holderContact"]]);
+});
+
+test.each([[true, []], [false, ["nothingCut"]]])("the stock knows which operation failed: %s", (hasFailed, expected) => {
+  const none = { airPasses: 0, crest: null, thread: null, deepest: null, thickest: null, behindLimits: [], startInMaterial: null };
+  const stays = { area: 2, thickness: 1, reason: "mainEdge", ring: [], place: { z: axial(-5), r: radius(20) }, operation: 0 };
+  const empty = { stated: [], unlooked: null, remarks: [], loose: [], unheld: null };
+  const proof = { operations: [{ ...none, cut: 0, hasFailed, isQuestioned: false }], residual: [stays], ...empty };
+  const found = stockIssues({ findings: [], proof } as unknown as Parameters<typeof stockIssues>[0]);
+  expect(found.map((p) => p.issue.code)).toEqual(expected);
 });

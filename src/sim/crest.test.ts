@@ -88,6 +88,7 @@ describe("damage behind the end of a thread", () => {
     behindLimits: [],
     startInMaterial: null,
     hasFailed: false,
+    isQuestioned: false,
   };
   function told(place: Pt, thread: ThreadWay | null) {
     const finding: StockFinding = { kind: "gouge", step: 3, block: 18, operation: 0, place, area: 1.5, rings: [], moves: 2 };

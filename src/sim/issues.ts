@@ -2,7 +2,7 @@ import { issue, type Issue } from "../kernel/issue.ts";
 import { REAL_AREA } from "../kernel/real-area.ts";
 import type { Pt } from "../kernel/point.ts";
 import { radius, toDiameter } from "../kernel/units.ts";
-import { causesAlone, type ProofIssue } from "./causes.ts";
+import { causesAlone, type Explained, type ProofIssue } from "./causes.ts";
 import { MOST_CONTACTS } from "./check.ts";
 import { isTooDeep } from "./measure.ts";
 import type { AnyFinding, Depth, LoosePiece, OperationProof, Residual, Simulation, ThreadWay } from "./simulation.ts";
@@ -87,7 +87,7 @@ function fromResidual(r: Residual): ProofIssue {
 
 /** What the stock says about one operation: where it began, what it took at once, and what it took at all. */
 function fromOperation(
-  { cut, airPasses, deepest, thickest, behindLimits, startInMaterial: start, crest, hasFailed }: OperationProof,
+  { cut, airPasses, deepest, thickest, behindLimits, startInMaterial: start, crest }: OperationProof,
   operation: number,
 ): ProofIssue[] {
   const at = (found: Issue, depth: Pick<Depth, "step" | "block"> | null = null): ProofIssue => ({
@@ -111,7 +111,6 @@ function fromOperation(
     const { missing, inFace, r } = crest;
     out.push(at(issue("crestMissing", "warning", inFace ? { missing, z: crest.z } : { missing, diameter: toDiameter(radius(r)) })));
   }
-  if (hasFailed) return out;
   if (cut < REAL_AREA) out.push(at(issue("nothingCut", "warning", {})));
   else if (airPasses > 0) out.push(at(issue("airPasses", "info", { count: airPasses })));
   return out;
@@ -127,6 +126,11 @@ const fromStated = ({ stated }: Simulation["proof"]): ProofIssue[] =>
       : null;
     return found ? [{ issue: found, step, block, operation: null }] : [];
   });
+
+const explainedIn = ({ operations }: Simulation["proof"]): Explained => {
+  const those = (of: (operation: OperationProof) => boolean) => new Set(operations.flatMap((each, i) => (of(each) ? [i] : [])));
+  return { failed: those(({ hasFailed }) => hasFailed), questioned: those(({ isQuestioned }) => isQuestioned) };
+};
 
 /** Where the simulation no longer looked for contacts of moves. */
 const fromUnlooked = ({ unlooked }: Simulation["proof"]): ProofIssue[] =>
@@ -146,4 +150,4 @@ export const stockIssues = (simulation: Pick<Simulation, "findings" | "proof">):
     ...fromStated(simulation.proof),
     ...simulation.proof.operations.flatMap(fromOperation),
     ...simulation.proof.residual.map(fromResidual),
-  ]);
+  ], explainedIn(simulation.proof));

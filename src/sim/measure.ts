@@ -1,3 +1,4 @@
+import { QUESTIONS } from "./causes.ts";
 import { areaOf } from "../kernel/area.ts";
 import { intersection, offset, simplified } from "../kernel/clip.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
@@ -189,6 +190,7 @@ export function measuring(
         startInMaterial,
         behindLimits: behind(crossed, passes.size > 0),
         hasFailed: blank.length === 0 || (operations[o]?.issues ?? []).some((i) => i.severity === "error"),
+        isQuestioned: (operations[o]?.issues ?? []).some((i) => QUESTIONS.has(i.code)),
       }));
     },
   };

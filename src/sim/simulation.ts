@@ -241,6 +241,8 @@ export interface OperationProof {
   readonly startInMaterial: Pt | null;
   /** True when an error kept it from its path, or there was no stock: that it cut nothing is no news then. */
   readonly hasFailed: boolean;
+  /** The sign or the order of a dimension is questioned: what tool and stock say to it follows from that. */
+  readonly isQuestioned: boolean;
 }
 
 /**

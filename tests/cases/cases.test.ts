@@ -55,9 +55,12 @@ function differences(r: Report, e: Expected): string[] {
   wrong(e.unproved === false && unproved.length > 0, `not proved: ${unproved.map((u) => u.what).join()}`);
   const pips = proof.residual.filter((p) => p.ring.some(([, radius]) => radius < 0.3));
   wrong(e.cleanAtAxis === true && pips.length > 0, `${pips.length} places on the axis stay`);
-  const offers = issues.flatMap((i) => Object.entries(i.data ?? {}).flatMap(([key, value]) => (key === "nearest" ? [Number(value)] : [])));
+  const named = (name: string) =>
+    issues.flatMap((i) => Object.entries(i.data ?? {}).flatMap(([key, value]) => (key === name ? [Number(value)] : [])));
+  const offers = named("nearest"), limits = named("max").map((max) => Number(max.toFixed(5)));
   wrong(e.offersNoNegative === true && offers.some((offer) => offer < 0), `offers ${offers.join()}`);
   wrong(e.offers !== undefined && e.offers.join() !== offers.join(), `offers ${offers.join()}`);
+  wrong(e.limits !== undefined && e.limits.join() !== limits.join(), `limits ${limits.join()}`);
   wrong(e.holder !== undefined && e.holder !== proof.holder, `holder ${proof.holder}`);
   const nearest = Math.min(...r.operations.flatMap((o) => o.moves.map((m) => m.x)));
   wrong(e.notNearer !== undefined && !(nearest >= e.notNearer - 0.001), `comes to X${nearest}`);

@@ -48,6 +48,8 @@ export interface Expected {
   readonly offersNoNegative?: true;
   /** The values that findings offer, in the unit of the program. */
   readonly offers?: readonly number[];
+  /** The limits that findings name, in the unit of the program. */
+  readonly limits?: readonly number[];
   readonly holder?: "clear" | "contact" | "unknown";
   /** Tools beside those that are shipped, as in a file of tools. */
   readonly tools?: readonly Readonly<Record<string, string | number>>[];

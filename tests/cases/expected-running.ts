@@ -58,5 +58,5 @@ export const running: Readonly<Record<string, Expected>> = {
   "shoulder-without-smax": { says: "without SMAX far from the axis", hasNot: ["speedUnlimited"], mostErrors: 0, verdict: "proved" },
   "surface-speed-unlikely": { says: "a surface speed that no material allows", has: { speedUnlikely: 1 }, mostErrors: 0 },
   "face-groove-small": { says: "a blade along Z whose range is not stated", holder: "unknown", mostErrors: 0, verdict: "proved" },
-  "inch-offer": { says: "an offer in inch", errorAt: ["Q502"], offers: [0.75] },
+  "inch-offer": { says: "a limit in inch, and no other size for a chamfer", errorAt: ["Q502"], offers: [], limits: [0.75] },
 };

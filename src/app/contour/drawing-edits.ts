@@ -1,3 +1,4 @@
+import { largestThatWorks, mends } from "../../kernel/offer.ts";
 import type { Pt } from "../../kernel/point.ts";
 import type { RowReading, RowsReading } from "../../program/contour-rows.ts";
 import { toRadius, axial, diameter } from "../../kernel/units.ts";
@@ -111,7 +112,11 @@ export function cornerSized(rows: Rows, row: number, kind: CornerKind, size: num
   const made = rows.toSpliced(row + 1, there ? 1 : 0, corner);
   const wrong = readRows(made).issues.find((found) => found.row === row + 1 && found.issue.code === "cornerElementTooLong")?.issue;
   if (wrong?.code !== "cornerElementTooLong") return { rows: made, focus: corner.id };
-  return { rows: made.with(row + 1, { ...corner, r: typed(wrong.data.nearest ?? wrong.data.max) }), focus: corner.id };
+  const sized = (r: number) => made.with(row + 1, { ...corner, r: typed(r) });
+  const issuesOf = (of: Rows) => readRows(of).issues.map(({ issue }) => issue);
+  const before = issuesOf(made), { max } = wrong.data;
+  const fits = largestThatWorks(max, (r) => mends(wrong, before, issuesOf(sized(r))));
+  return { rows: sized(fits ?? max), focus: corner.id };
 }
 
 /** The row whose corner is meant while a row is chosen: itself, or the one before a corner element; null where there is no corner. */

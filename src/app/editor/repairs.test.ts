@@ -89,7 +89,7 @@ const cases: readonly (readonly [code: string, text: string, offered: string | n
   ["labelMissing", changed(cycle812(), `CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 LABEL7\n${FREE}`), "LBL 7"],
   ["parameterForeign", changed(cycle812(), cycle812(" ~\nQ999=+3 ;STRANGE")), "Q999"],
   ["compensationActive", changed("L X+61.3 Y+0 Z+2 FMAX M303", "L X+61.3 Y+0 Z+2 RR FMAX M303"), "R0"],
-  ["outOfRange", changed(cycle812(), cycle812().replace("Q463=+2.3", "Q463=+1200")), 999.999],
+  ["outOfRange", changed(cycle812(), cycle812().replace("Q463=+2.3", "Q463=+1200")), 5],
 ];
 
 const codes = (text: string) => findingsOf(null, outcomeOf(text)).map(({ issue }) => issue.code as string);
@@ -110,7 +110,7 @@ test("a value is taken without touching anything else", () => {
   const text = changed(cycle812(), cycle812().replace("Q463=+2.3", "Q463=+1200"));
   const entry = findingsOf(null, outcomeOf(text)).find(({ issue }) => issue.code === "outOfRange");
   const [repair] = entry ? repairsOf(parse(text), entry, "en", NC_OUTPUTS.manual) : [];
-  expect(repair && print(repair.next())).toBe(text.replace("Q463=+1200", "Q463=+999.999"));
+  expect(repair && print(repair.next())).toBe(text.replace("Q463=+1200", "Q463=+5"));
 });
 
 test("another tool is called where the call before it stands", () => {
@@ -141,4 +141,14 @@ test("in an inch program a value is offered, and said, in inches: what the tool 
   expect(said).toBe("Infeed 0.9 is more than CUTLENGTH 0.4724: it is reduced to 0.4724.");
   const mend = (body: string) => repairsOf(parse(body), { ...entry, at: "Q463" }, "en", NC_OUTPUTS.manual)[0];
   expect(mend(text.replace(" INCH\n1", " MM\n1"))?.text).toBe(12);
+});
+
+test("ends that are exchanged are exchanged back in one step", () => {
+  const before = changed(cycle812(),
+    cycle812().replace("Q491=+61.3", "Q491=+47.7").replace("Q493=+47.7 ;DIAMETER AT CONTOUR END", "Q493=+61.3 ;DIAMETER AT CONTOUR END"));
+  const program = parse(before), [entry] = findingsOf(null, outcomeOf(before));
+  expect(entry?.issue.code).toBe("endsExchanged");
+  const [repair] = entry ? repairsOf(program, entry, "en", NC_OUTPUTS.manual) : [];
+  const text = repair ? print(repair.next()) : "";
+  expect(text).toBe(numbered(RIGHT));
 });

@@ -1,11 +1,11 @@
+import type { Repair } from "./repair.ts";
+import { valueRepairs } from "./value-repairs.ts";
 import { withBlock, withInserted } from "../../nc/edit.ts";
 import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import { statementLines } from "../../nc/print.ts";
 import { styleAt } from "../../nc/read-style.ts";
 import { withTiedLists } from "../../nc/tie-lists.ts";
 import type { Statement } from "../../nc/statement.ts";
-import { cycleByNumber } from "../../cycles/index.ts";
-import { valueInProgram } from "../../program/cycle-values.ts";
 import { kept } from "../../program/field.ts";
 import { beginOfCut, MEANT } from "../../program/meant-cuts.ts";
 import type { NcOutput } from "../../program/nc-output.ts";
@@ -15,23 +15,8 @@ import { noWords, POSITION_DECIMALS, positionAsTyped } from "../../program/typed
 import { ncLabels } from "../../i18n/nc-labels.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { FindingEntry } from "../findings/entry.ts";
-import { nearestOf } from "../findings/host.ts";
-import { countsInches, inProgram, withPrompt } from "./block-prompts.ts";
+import { inProgram } from "./block-prompts.ts";
 import { withContour, withContourNamed } from "./missing-contour.ts";
-
-/** A change of the program that mends a finding: a value taken, a block put in, a word written, something taken out. */
-export interface Repair {
-  readonly kind: "take" | "insert" | "write" | "remove" | "tie" | "meant";
-  /** The value, the block or the word, as the program writes it; a value as a number. */
-  readonly text: string | number;
-  /** Number of the block that is changed. */
-  readonly block: string;
-  readonly next: () => Program;
-  /** Index of the block that opens afterwards. */
-  readonly open: number;
-  /** Its values are only a beginning: its dialog opens. */
-  readonly asks?: boolean;
-}
 
 /** Index of the block that a finding belongs to; -1 when it belongs to none. */
 export function indexOf(program: Program, { line, block }: Pick<FindingEntry, "line" | "block">): number {
@@ -287,8 +272,5 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
   }
   if (issue.code === "startOnWrongSide") return [withStart(program, index, issue.data)];
   if (issue.code === "approachValueCutsContour") return maybe(withLead(program, index, issue.data.word, issue.data.nearest));
-  const nearest = nearestOf(entry), s = program.blocks[index]?.statement;
-  if (nearest === null || at === null || s?.kind !== "cycle") return [];
-  const text = valueInProgram(cycleByNumber(s.cycle)?.params[at], nearest, countsInches(program));
-  return [{ kind: "take", text, block: "", open: index, next: () => withPrompt(program, index, at, String(text)) }];
+  return valueRepairs(entry, program, index);
 }

@@ -19,7 +19,8 @@ import { fileKey } from "../../program/program-files.ts";
 import { useEditor } from "../store.ts";
 import { fileOf } from "../work.ts";
 import { isPresent } from "./present.ts";
-import { indexOf, repairsOf, toolCallBefore, withTool, type Repair } from "./repairs.ts";
+import type { Repair } from "./repair.ts";
+import { indexOf, repairsOf, toolCallBefore, withTool } from "./repairs.ts";
 import { dispatchEdit, editProgram, openBlock, readWhole, sessionView, useSession } from "./session.ts";
 
 /** Decimals of offered values. */

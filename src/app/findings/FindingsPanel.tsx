@@ -1,6 +1,5 @@
 import { useEffect, useRef } from "react";
 import { Icon } from "../Icon.tsx";
-import { writer } from "../../i18n/write.ts";
 import { issueText, placeInFile } from "../issue-text.ts";
 import { useLengths } from "../lengths.ts";
 import { useTexts } from "../settings/use-texts.ts";
@@ -50,7 +49,6 @@ function Row({ entry, host, chosen }: { readonly entry: FindingEntry; readonly h
         <p>
           {issueText(t, lengths, issue, host.cycleOf(entry))}
           {entry.thickness !== null && ` ${lengths.words(t.findings.residue.thick(lengths.number(entry.thickness)))}`}
-          {entry.alike && ` ${t.findings.residue.alike(entry.alike.places, writer(lengths).area(entry.alike.area))}`}
         </p>
         <div className="finding-ways">
           {host.remediesOf(entry).map(({ name, apply }) => (

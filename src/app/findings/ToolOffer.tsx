@@ -1,19 +1,11 @@
 import { useEffect, useState } from "react";
 import type { ToolFit } from "../../program/which-tool.ts";
+import { BY_TOOL } from "../../report/offered-tool.ts";
 import { fitsOfCall } from "../engine/tool-questions.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { useTexts } from "../settings/use-texts.ts";
 import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
-
-/** Findings that another tool would mend. */
-const byTool: ReadonlySet<string> = new Set([
-  "toolUnfit",
-  "toolOnWrongSide",
-  "toolCannotCutSideways",
-  "recessNarrowerThanTool",
-  "angleNotFollowed",
-]);
 
 /** Rest after the last change before tools are tried, ms: it costs a plan per tool. */
 const REST = 120;
@@ -23,7 +15,7 @@ export function ToolOffer({ entry, host }: { readonly entry: FindingEntry; reado
   const t = useTexts().setup.tool;
   const newest = useOutcome((s) => s.newest);
   const [best, offer] = useState<ToolFit | null>(null);
-  const asked = byTool.has(entry.issue.code) && entry.issue.severity !== "info";
+  const asked = BY_TOOL.has(entry.issue.code) && entry.issue.severity !== "info";
   useEffect(() => {
     const operation = asked && entry.operation !== null ? newest?.run.operations[entry.operation] : undefined;
     if (!operation) return undefined;

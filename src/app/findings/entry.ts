@@ -1,6 +1,7 @@
 import type { Pt } from "../../kernel/point.ts";
 import type { Severity } from "../../kernel/issue.ts";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
+import { QUESTIONS } from "../../sim/causes.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";
 import type { RunFinding } from "../../program/run-types.ts";
@@ -36,10 +37,8 @@ export interface FindingEntry {
   readonly spot: FindingSpot | null;
   /** Index into the proof's residue, for what stays. */
   readonly residual: number | null;
-  /** Diameter of the largest circle in what stays, mm. */
+  /** Diameter of the largest circle in what stays, in all places of the finding, mm. */
   readonly thickness: number | null;
-  /** Where it stands for a row of its like, of which it is the largest: how many they are, and what stays in all of them, mm². */
-  readonly alike?: { readonly places: number; readonly area: number } | undefined;
 }
 
 const toDo: ReadonlySet<string> = new Set(["missing", "unknownParameter"]);
@@ -95,7 +94,10 @@ const found: ReadonlySet<string> = new Set([
   "nothingCut",
   "airPasses",
 ]);
-const stage = ({ issue }: FindingEntry): number => (issue.code === "materialLeft" ? 2 : found.has(issue.code) ? 1 : 0);
+function stage({ issue: { code } }: FindingEntry): number {
+  if (QUESTIONS.has(code)) return -1;
+  return code === "materialLeft" ? 2 : Number(found.has(code));
+}
 
 /** Worst first; among equals the cause before its effect, then in the order of the text. */
 export const inOrder = (entries: readonly FindingEntry[]): readonly FindingEntry[] =>

@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { findings as english } from "../../i18n/en/findings.ts";
 import { spotOn } from "../../kernel/mill-motion.ts";
-import { exampleJob, type Job } from "../../program/job.ts";
+import { exampleJob, UNSET, type Job } from "../../program/job.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { engine } from "../engine/engine.ts";
 import type { Outcome } from "../engine/outcome.ts";
@@ -67,13 +67,12 @@ test("many places with the same left over are one finding, with all of it; a few
   const { entries, verdict } = found(jobOf(832));
   const stays = entries.filter(({ issue }) => issue.code === "materialLeft");
   expect(stays).toHaveLength(1);
-  expect(stays[0]?.alike).toMatchObject({ places: 17 });
-  expect(stays[0]?.alike?.area).toBeCloseTo(1.421, 3);
-  expect(verdict.stays).toBe(stays[0]?.alike?.area);
+  expect(stays[0]?.issue.data).toMatchObject({ places: 17, area: expect.closeTo(1.421, 3) });
+  expect(verdict.stays).toBeCloseTo(1.421, 3);
   expect(stays[0]?.spot?.mark).toBe("A");
   const few = found(jobOf(812, withPrompt("Q500", "0"))).entries.filter(({ issue }) => issue.code === "materialLeft");
-  expect(few.map(({ alike }) => alike)).toEqual(few.map(() => undefined));
   expect(few.length).toBeGreaterThan(0);
+  expect(few.filter(({ issue }) => "places" in issue.data)).toEqual([]);
 });
 
 test("worst first, each place of the picture with its own mark", () => {
@@ -146,4 +145,14 @@ test.each([["nothing but its blank", "", "none"], [
   const { verdict: words } = english;
   expect(verdictTitle(words, "en", verdict)).toBe(tone === "doubt" ? words.noCycle : words.noOperation);
   expect(verdictReasons(words, verdict)).toEqual([tone === "doubt" ? words.because.noCycle : words.because.noOperation]);
+});
+
+test("a forgotten minus is asked for first, and nothing that tool and stock say to it is listed beside", () => {
+  const { entries } = found(withPrompt("Q494", "55.4")(jobOf(812)));
+  expect(entries[0]?.issue).toMatchObject({ code: "endInFront", severity: "error", data: { nearest: -55.4 } });
+  expect(entries.filter(({ issue }) => issue.severity !== "info").map(({ issue }) => issue.code)).toEqual(["endInFront"]);
+  // Nobody has set tool and blank: both are proposed for the value as it is typed.
+  const proposed = found(withPrompt("Q494", "55.4")(jobOf(812, (job) => ({ ...job, tool: null, blank: UNSET.blank, start: UNSET.start }))));
+  expect(proposed.entries.map(({ issue }) => issue.code)).toContain("endInFront");
+  expect(proposed.entries.map(({ issue }) => issue.code)).not.toContain("holderContact");
 });

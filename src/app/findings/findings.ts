@@ -1,6 +1,8 @@
 import { issue as contourIssue } from "../../kernel/issue.ts";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
 import { setupQuestions } from "../../program/setup-questions.ts";
+import { placesJoined, workOf } from "../../report/places.ts";
+import { followsQuestion, QUESTIONS } from "../../sim/causes.ts";
 import { stockIssues } from "../../sim/issues.ts";
 import { contourProblems } from "../contour/contour-problems.ts";
 import type { Outcome } from "../engine/outcome.ts";
@@ -89,29 +91,20 @@ function withoutEchoes(all: readonly Found[]): readonly Found[] {
   });
 }
 
-/** So many places are listed one by one, though the same operation left all of them for the same reason. */
+/** So many places of one kind are listed one by one: each has its own mark in the picture. */
 const FEW = 5;
 
-/** Many places where the same stays, as between the grooves of a thread, are one finding, which names the largest. */
-function withoutRows(all: readonly Found[]): readonly Found[] {
-  const areaOf = ({ issue }: Found) => (issue.code === "materialLeft" ? issue.data.area : 0);
-  const rows = new Map<string, Found[]>();
-  for (const found of all) {
-    const { issue, operation, residual } = found;
-    if (issue.code !== "materialLeft" || residual === null) continue;
-    const kind = `${operation} ${issue.data.reason} ${issue.severity}`, row = rows.get(kind);
-    if (row) row.push(found);
-    else rows.set(kind, [found]);
-  }
-  const shown = new Map<Found, Found | null>();
-  for (const row of rows.values()) {
-    if (row.length <= FEW) continue;
-    const largest = row.reduce((a, b) => (areaOf(b) > areaOf(a) ? b : a));
-    const alike = { places: row.length, area: row.reduce((sum, each) => sum + areaOf(each), 0) };
-    for (const each of row) shown.set(each, each === largest ? { ...each, alike } : null);
-  }
-  return all.flatMap((found) => shown.get(found) === null ? [] : [shown.get(found) ?? found]);
+/** Many places of one kind are one finding, as they are one in the report. */
+function withoutRows(all: readonly Found[], operations: Outcome["run"]["operations"]): readonly Found[] {
+  const placed = all.map((found) => {
+    const operation = found.operation === null ? undefined : operations[found.operation];
+    return { ...found, work: workOf(found, operation) };
+  });
+  return placesJoined(placed, FEW).map(({ work: _, together, ...found }) => together ? { ...found, thickness: thickest(together) } : found);
 }
+
+const thickest = (all: readonly Pick<Found, "thickness">[]): number | null =>
+  all.reduce<number | null>((most, { thickness }) => (thickness === null ? most : Math.max(most ?? 0, thickness)), null);
 
 /** Numbers for what was found at a place, letters for what stays, in the order of the list. */
 function marked(entries: readonly FindingEntry[]): readonly FindingEntry[] {
@@ -123,6 +116,16 @@ function marked(entries: readonly FindingEntry[]): readonly FindingEntry[] {
   });
 }
 
+/** Without what follows from a dimension that the prompts question: its run has another set-up than the one that is meant. */
+function withoutAnswers(early: readonly Found[], late: readonly Found[]): readonly Found[] {
+  const isAsked = early.some(({ issue }) => QUESTIONS.has(issue.code));
+  return isAsked ? late.filter(({ issue }) => !followsQuestion(issue.code)) : late;
+}
+
+/** What prompts and program both question, as grave as the program has it. */
+const once = (early: readonly Found[], late: readonly Found[]): readonly Found[] =>
+  early.filter(({ issue, at }) => !QUESTIONS.has(issue.code) || !late.some((l) => l.issue.code === issue.code && l.at === at));
+
 /**
  * Everything found in the open work, worst first: what the prompts say at once, and what the last calculated program says,
  * as long as it is calculated from these values. Nothing twice. A program has no prompts of its own: `read` is null.
@@ -131,7 +134,7 @@ export function findingsOf(read: JobReading | null, outcome: Outcome | null): re
   const early = read ? typed(read) : [];
   const late = outcome && (!read || read.reading.values) ? calculated(outcome) : [];
   const all = new Map<string, FindingEntry>();
-  for (const found of withoutRows(withoutEchoes([...early, ...late]))) {
+  for (const found of withoutRows(withoutEchoes([...once(early, late), ...withoutAnswers(early, late)]), outcome?.run.operations ?? [])) {
     const { issue, at, line, inFile } = found;
     // The text of a job is made from its prompts: what both say is said once.
     const key = JSON.stringify([issue.code, at, issue.data, read ? null : line, inFile]);

@@ -65,6 +65,16 @@ export function useJobHost(read: JobReading): FindingsHost {
         };
         return [{ name: t.dialog.takeNearest(writer(language).place(issue.data.x, issue.data.z)), apply: oneStep(start) }];
       }
+      if (issue.code === "endsExchanged" && at !== null) {
+        const { start, end, other } = issue.data;
+        const exchange = () => {
+          setPrompt(at, String(end));
+          setPrompt(other, String(start));
+        };
+        const both = [[at, end], [other, start]] as const;
+        const name = both.map(([q, value]) => `${q} ${writeTyped(language, value, START_DECIMALS)}`).join(", ");
+        return [{ name: t.dialog.takeNearest(name), apply: oneStep(exchange) }];
+      }
       const nearest = nearestOf(entry);
       const param = at === null ? undefined : cycle.params[at];
       if (nearest !== null && at !== null && issue.code === "blankAgainstContour" && isSetupPlace(at))

@@ -69,7 +69,7 @@ export function judged(entries: readonly FindingEntry[], outcome: Outcome | null
   const file = errors.find((entry) => !isToDo(entry))?.inFile?.file ?? null;
   const warnings = entries.filter((e) => e.issue.severity === "warning" && e.issue.code !== "materialLeft").length;
   const stays = entries.reduce(
-    (sum, { issue, alike }) => (issue.code === "materialLeft" && issue.severity !== "info" ? sum + (alike?.area ?? issue.data.area) : sum),
+    (sum, { issue }) => (issue.code === "materialLeft" && issue.severity !== "info" ? sum + issue.data.area : sum),
     0,
   );
   const counts = { faults, file, open, warnings, stays };

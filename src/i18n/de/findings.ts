@@ -22,7 +22,6 @@ export const findings = {
   residue: {
     askCycle: "Welcher Zyklus nimmt es weg?",
     thick: (mm) => `Es ist bis zu ${mm} mm dick.`,
-    alike: (places, area) => `Die größte von ${places} solchen Stellen mit zusammen ${area}.`,
     ask: "Welches Werkzeug nimmt es weg?",
     trying: "Die Werkzeuge der Tabelle werden ausprobiert.",
     all: (tool) => `Werkzeug ${tool} lässt hier nichts stehen.`,

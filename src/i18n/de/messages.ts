@@ -37,6 +37,7 @@ const CLAMPED = {
 export const messages = {
   severity: { error: "Fehler", warning: "Warnung", info: "Hinweis" },
   reasons,
+  morePlaces: (place, more) => `${place} und ${more === 1 ? "einer weiteren Stelle" : `${more} weiteren Stellen`}`,
   of: {
     ...running,
     ...threads,
@@ -48,27 +49,23 @@ export const messages = {
       `${w.value(d.value)} liegt außerhalb des Bereichs: ${w.value(d.min)} bis ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
     notWhole: (d, w) => `${w.number(d.value)} ist keine ganze Zahl.${nearest(d.nearest, w.number)}`,
     notAChoice: (d, w) => `${w.number(d.value)} steht nicht zur Wahl (${d.choices.join(", ")}).${nearest(d.nearest, w.number)}`,
-    startEqualsEnd: (d, w) => `Start und Ende sind gleich: auch ${d.other} ist ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
+    startEqualsEnd: (d, w) => `Start und Ende sind gleich: auch ${d.other} ist ${w.value(d.value)}.`,
     startLevelWithEnd: (d, w) =>
       `Der Startpunkt steht auf ${d.axis} ${w.size(d.value)}, wo die Kontur endet: Dazwischen gibt es nichts zu zerspanen.`,
     diameterNegative: (d, w) =>
       `${w.value(d.value)} ist ein Durchmesser jenseits der Drehachse, dort wird keine Kontur geplant.${nearest(d.nearest, w.value)}`,
-    elementTooLong: (d, w) =>
-      `${w.size(d.size)} ist länger, als das Element erlaubt: höchstens ${w.size(d.max)}.${nearest(d.nearest, w.size)}`,
-    cornersTooWide: (d, w) =>
-      `Zwei Eckenradien von ${w.size(d.radius)} sind breiter als der Grund: höchstens ${w.size(d.max)}.${nearest(d.nearest, w.size)}`,
-    wallsMeet: (d, w) =>
-      `Mit ${w.angle(d.angle)} treffen sich die Flanken über dem Grund: weniger als ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
+    elementTooLong: (d, w) => `${w.size(d.size)} ist länger, als das Element erlaubt: höchstens ${w.size(d.max)}.`,
+    cornersTooWide: (d, w) => `Zwei Eckenradien von ${w.size(d.radius)} sind breiter als der Grund: höchstens ${w.size(d.max)}.`,
+    wallsMeet: (d, w) => `Mit ${w.angle(d.angle)} treffen sich die Flanken über dem Grund: weniger als ${w.angle(d.max)}.`,
     cornerSmallerThanInsert: (d, w) =>
-      `Eckenradius ${w.size(d.radius)} ist kleiner als der Schneidenradius ${w.size(d.insert)}: Die Ecke `
-      + `behält ${w.size(d.insert)}.${nearest(d.nearest, w.size)}`,
+      `Eckenradius ${w.size(d.radius)} ist kleiner als der Schneidenradius ${w.size(d.insert)}: Die Ecke ` + `behält ${w.size(d.insert)}.`,
     recessNarrowerThanTool: (d, w) =>
       `Der Grund des Einstichs ist ${w.size(d.width)} breit, Werkzeug und Aufmaß brauchen ${w.size(d.tool)}.`
       + `${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "" : `Element ${d.element}: `}Das Werkzeug kann ${w.angle(d.angle)} nicht folgen: Die ${
         reasons[d.edge]
-      } lässt ${w.angle(d.max)} zu, ` + `Material bleibt stehen.${nearest(d.nearest, w.angle)}`,
+      } lässt ${w.angle(d.max)} zu, ` + `Material bleibt stehen.`,
     tooManyPasses: (d, w) => `${d.passes} Schnitte sind mehr als ${d.most}.${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
       `Zustellung ${w.size(d.infeed)} ist größer als CUTLENGTH ${w.size(d.cutLength)}: Sie wird auf `
@@ -144,12 +141,9 @@ export const messages = {
     contourPoint: (d) => `Element ${d.element}: Der Endpunkt fehlt oder ist nicht erreichbar.`,
     cornerElementAlone: (d) => `Element ${d.element}: Fase und Rundung brauchen ein Element davor und dahinter, eine Fase zwei Geraden.`,
     cornerElementTooLong: (d, w) =>
-      `Element ${d.element}: ${w.size(d.size)} passt nicht zwischen die Nachbarelemente: höchstens ${w.size(d.max)}`
-      + `.${nearest(d.nearest, w.size)}`,
-    arcOffCircle: (d, w) =>
-      `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.size(d.gap)}.`
-      + (d.nearest === undefined ? "" : ` Möglicher Radius: ${w.size(d.nearest)}.`),
-    arcTooSmall: (d, w) => `Element ${d.element}: Radius ${w.size(d.radius)} ist zu klein für den Endpunkt.${nearest(d.nearest, w.size)}`,
+      `Element ${d.element}: ${w.size(d.size)} passt nicht zwischen die Nachbarelemente: höchstens ${w.size(d.max)}` + `.`,
+    arcOffCircle: (d, w) => `Element ${d.element}: Der Endpunkt verfehlt den Kreis um ${w.size(d.gap)}.`,
+    arcTooSmall: (d, w) => `Element ${d.element}: Radius ${w.size(d.radius)} ist zu klein für den Endpunkt.`,
     elementFree:
       (d) => (d.freedom === 1
         ? `Element ${d.element}: Noch 1 Angabe ist nötig.`
@@ -159,8 +153,9 @@ export const messages = {
       w,
     ) => (d.quantity === "tangent"
       ? `Element ${d.element} schließt nicht tangential an; die Abweichung ist ${w.number(d.nearest)}°.`
-      : `Element ${d.element}: ${ELEMENT[d.quantity]} ${w.number(d.given)} widerspricht den übrigen Angaben; `
-        + `${w.number(d.nearest)} passt.`),
+      : `Element ${d.element}: ${ELEMENT[d.quantity]} ${
+        (d.quantity === "angle" ? w.number : w.size)(d.given)
+      } widerspricht den übrigen Angaben; ` + `${(d.quantity === "angle" ? w.number : w.size)(d.nearest)} passt.`),
     elementUnreachable: (d) =>
       `Element ${d.element}: Mit dieser Länge, diesem Radius oder diesem Winkel ist das Nachbarelement nicht erreichbar.`,
     centreMissing: (d) => `Element ${d.element}: Der Kreismittelpunkt fehlt; CC davor programmieren.`,
@@ -191,9 +186,9 @@ export const messages = {
     recessWord: (d) => `Element ${d.element}: ${d.word} fehlt oder ergibt keine mögliche Form.`,
     recessWordsExclusive: (d) => `Element ${d.element}: ${d.other} und ${d.word} schließen sich aus. Nur eines davon eingeben.`,
     pitchNotListed: (d, w) => {
-      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.value(n)])).join(" und ");
+      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.size(n, 4)])).join(" und ");
       return `Element ${d.element}: DIN 76 nennt keinen Freistich für Steigung ${
-        w.value(d.pitch)
+        w.size(d.pitch, 4)
       }; daneben stehen ${near}. Eine davon nehmen oder ${d.words} angeben.`;
     },
     undercutDefaults: (d) =>
@@ -275,8 +270,8 @@ export const messages = {
     feedUnlikely: (d, w) =>
       `Ein Vorschub von ${w.number(d.feed)} ${d.unit} ist unwahrscheinlich. M136 prüfen: Damit zählt F in mm pro Umdrehung.`,
     drillTooShort: (d, w) =>
-      `Die Bohrung ist ${w.value(d.depth)} tief, die Schneiden des Bohrers (LCUTS) sind ${w.value(d.edges)} lang: Der Schaft kann reiben.`,
-    pitchOfTap: (d, w) => `Q239 ist ${w.value(d.pitch)}, der Gewindebohrer in der Tabelle hat aber PITCH ${w.value(d.tap)}.`,
+      `Die Bohrung ist ${w.size(d.depth)} tief, die Schneiden des Bohrers (LCUTS) sind ${w.size(d.edges)} lang: Der Schaft kann reiben.`,
+    pitchOfTap: (d, w) => `Q239 ist ${w.size(d.pitch)}, der Gewindebohrer in der Tabelle hat aber PITCH ${w.size(d.tap)}.`,
     freeChosen: () =>
       "Ab hier passen mehrere Konturen zu den Angaben: Die kürzeste wird gezeigt. Die Steuerung nimmt die, die FSELECT auswählt.",
     freeUnsolved: (d, w) =>
@@ -320,6 +315,10 @@ export const messages = {
       }. ⌀, Länge und Lage von CLAMPING prüfen.`,
     blankMissing: () => "Das Programm nennt kein Rohteil.",
     blankNotTurned: (d, w) => `Ein Rohteil der Form ${w.text(d.form)} ist kein Drehkörper um die Achse.`,
+    endsExchanged: (d, w) =>
+      d.axis === "X"
+        ? `Von X${w.diameter(d.start)} nach X${w.diameter(d.end)} ist kein Material zu zerspanen. Anfang und Ende (${d.other}) vertauscht?`
+        : `Von Z${w.signed(d.start)} nach Z${w.signed(d.end)} ist kein Material zu zerspanen. Anfang und Ende (${d.other}) vertauscht?`,
     endInFront: (d, w) => `Z${w.signed(d.value)} liegt vor dem Werkstück. ${w.signed(d.nearest)}?`,
     blankAgainstContour: (d, w) =>
       ({
@@ -339,8 +338,8 @@ export const messages = {
       })[d.place],
     blankImpossible: () => "Das Rohteil hat kein Volumen: Maße prüfen.",
     boxTurned: (d, w) =>
-      `Der Quader dreht sich als Zylinder um seine Ecken, Durchmesser ${w.value(d.outer)}. Nur innerhalb von Durchmesser ${
-        w.value(d.inner)
+      `Der Quader dreht sich als Zylinder um seine Ecken, Durchmesser ${w.size(d.outer)}. Nur innerhalb von Durchmesser ${
+        w.size(d.inner)
       } steht ringsum sicher Material. ` + "Rundmaterial ist ein BLK FORM CYLINDER.",
     blankTaken: (d, w) => `${w.text(d.what)} wird als Rohteil genommen.`,
     blankAdds: (d, w) => `${w.text(d.what)} umreißt ${w.area(d.area)} mehr, als BLK FORM hat. Der Umriss gilt.`,

@@ -23,7 +23,6 @@ export const findings = {
   residue: {
     askCycle: "Which cycle takes it away?",
     thick: (mm: string) => `It is up to ${mm} mm thick.`,
-    alike: (places: number, area: string) => `The largest of ${places} such places, in which ${area} stay.`,
     ask: "Which tool takes it?",
     trying: "The tools of the table are being tried.",
     all: (tool: string) => `Tool ${tool} leaves nothing here.`,

@@ -39,6 +39,7 @@ const CLAMPED = {
 export const messages = {
   severity: { error: "Error", warning: "Warning", info: "Note" },
   reasons,
+  morePlaces: (place, more) => `${place} and ${more} more ${more === 1 ? "place" : "places"}`,
   of: {
     ...running,
     ...threads,
@@ -49,25 +50,22 @@ export const messages = {
     outOfRange: (d, w) => `${w.value(d.value)} is out of range: ${w.value(d.min)} to ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
     notWhole: (d, w) => `${w.number(d.value)} is not a whole number.${nearest(d.nearest, w.number)}`,
     notAChoice: (d, w) => `${w.number(d.value)} is not one of ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
-    startEqualsEnd: (d, w) => `Start and end are the same: ${d.other} is ${w.value(d.value)} too.${nearest(d.nearest, w.value)}`,
+    startEqualsEnd: (d, w) => `Start and end are the same: ${d.other} is ${w.value(d.value)} too.`,
     startLevelWithEnd: (d, w) =>
       `The start point stands at ${d.axis} ${w.size(d.value)}, where the contour ends: between the two there is nothing to cut.`,
     diameterNegative: (d, w) =>
       `${w.value(d.value)} is a diameter on the far side of the axis, where no contour is planned.${nearest(d.nearest, w.value)}`,
-    elementTooLong: (d, w) => `${w.size(d.size)} is longer than the element allows: ${w.size(d.max)} at most.${nearest(d.nearest, w.size)}`,
-    cornersTooWide: (d, w) =>
-      `Two corner radii of ${w.size(d.radius)} are wider than the floor: ${w.size(d.max)} at most.${nearest(d.nearest, w.size)}`,
-    wallsMeet: (d, w) =>
-      `With ${w.angle(d.angle)} the walls meet above the floor: less than ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
+    elementTooLong: (d, w) => `${w.size(d.size)} is longer than the element allows: ${w.size(d.max)} at most.`,
+    cornersTooWide: (d, w) => `Two corner radii of ${w.size(d.radius)} are wider than the floor: ${w.size(d.max)} at most.`,
+    wallsMeet: (d, w) => `With ${w.angle(d.angle)} the walls meet above the floor: less than ${w.angle(d.max)}.`,
     cornerSmallerThanInsert: (d, w) =>
-      `Corner radius ${w.size(d.radius)} is smaller than the insert's ${w.size(d.insert)}: the corner will `
-      + `keep ${w.size(d.insert)}.${nearest(d.nearest, w.size)}`,
+      `Corner radius ${w.size(d.radius)} is smaller than the insert's ${w.size(d.insert)}: the corner will ` + `keep ${w.size(d.insert)}.`,
     recessNarrowerThanTool: (d, w) =>
       `The floor of the recess is ${w.size(d.width)} wide, tool and oversize need ${w.size(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "The" : `Element ${d.element}: the`} tool cannot follow ${w.angle(d.angle)}: ${reasons[d.edge]} allows ${
         w.angle(d.max)
-      }, material stays.` + `${nearest(d.nearest, w.angle)}`,
+      }, material stays.` + ``,
     tooManyPasses: (d, w) => `${d.passes} passes are more than ${d.most}.${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
       `Infeed ${w.size(d.infeed)} is more than CUTLENGTH ${w.size(d.cutLength)}: it is reduced to ${w.size(d.cutLength)}.`,
@@ -136,12 +134,9 @@ export const messages = {
     cornerElementAlone: (d) =>
       `Element ${d.element}: a chamfer or rounding needs an element before and behind it; a chamfer needs two lines.`,
     cornerElementTooLong: (d, w) =>
-      `Element ${d.element}: ${w.size(d.size)} does not fit between its neighbours: ${w.size(d.max)} at `
-      + `most.${nearest(d.nearest, w.size)}`,
-    arcOffCircle: (d, w) =>
-      `Element ${d.element}: the end point misses its circle by ${w.size(d.gap)}.`
-      + (d.nearest === undefined ? "" : ` Radius that works: ${w.size(d.nearest)}.`),
-    arcTooSmall: (d, w) => `Element ${d.element}: radius ${w.size(d.radius)} is too small for its end point.${nearest(d.nearest, w.size)}`,
+      `Element ${d.element}: ${w.size(d.size)} does not fit between its neighbours: ${w.size(d.max)} at ` + `most.`,
+    arcOffCircle: (d, w) => `Element ${d.element}: the end point misses its circle by ${w.size(d.gap)}.`,
+    arcTooSmall: (d, w) => `Element ${d.element}: radius ${w.size(d.radius)} is too small for its end point.`,
     elementFree:
       (d) => (d.freedom === 1
         ? `Element ${d.element}: one more value is needed.`
@@ -151,8 +146,9 @@ export const messages = {
       w,
     ) => (d.quantity === "tangent"
       ? `Element ${d.element} does not leave the one before it tangentially; it is off by ${w.number(d.nearest)}°.`
-      : `Element ${d.element}: the ${ELEMENT[d.quantity]} ${w.number(d.given)} does not agree with the other `
-        + `values; ${w.number(d.nearest)} does.`),
+      : `Element ${d.element}: the ${ELEMENT[d.quantity]} ${
+        (d.quantity === "angle" ? w.number : w.size)(d.given)
+      } does not agree with the other ` + `values; ${(d.quantity === "angle" ? w.number : w.size)(d.nearest)} does.`),
     elementUnreachable: (d) => `Element ${d.element}: with this length, radius or angle it does not reach its neighbour.`,
     centreMissing: (d) => `Element ${d.element}: its centre is missing; put CC before it.`,
     contourCrossesItself: (d) => `Element ${d.element} crosses element ${d.other}.`,
@@ -180,9 +176,9 @@ export const messages = {
     recessWord: (d) => `Element ${d.element}: ${d.word} is missing or makes no possible shape.`,
     recessWordsExclusive: (d) => `Element ${d.element}: ${d.other} and ${d.word} exclude each other. Enter one of them.`,
     pitchNotListed: (d, w) => {
-      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.value(n)])).join(" and ");
+      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.size(n, 4)])).join(" and ");
       return `Element ${d.element}: DIN 76 has no relief for a pitch of ${
-        w.value(d.pitch)
+        w.size(d.pitch, 4)
       }; next to it are ${near}. Take one of them, or write ${d.words}.`;
     },
     undercutDefaults: (d) =>
@@ -256,8 +252,8 @@ export const messages = {
     feedZero: (d, w) => `${w.text(d.word)}: the cutting feed is 0 here. Give a feed above 0; FAUTO takes the F of TOOL CALL.`,
     feedUnlikely: (d, w) => `A feed of ${w.number(d.feed)} ${d.unit} is not likely. Check M136: with it F counts in mm per revolution.`,
     drillTooShort: (d, w) =>
-      `The bore is ${w.value(d.depth)} deep, the edges of the drill (LCUTS) are ${w.value(d.edges)} long: it may rub on its shank.`,
-    pitchOfTap: (d, w) => `Q239 is ${w.value(d.pitch)}, and the tap in the table has a PITCH of ${w.value(d.tap)}.`,
+      `The bore is ${w.size(d.depth)} deep, the edges of the drill (LCUTS) are ${w.size(d.edges)} long: it may rub on its shank.`,
+    pitchOfTap: (d, w) => `Q239 is ${w.size(d.pitch)}, and the tap in the table has a PITCH of ${w.size(d.tap)}.`,
     freeChosen: () => "From here on several contours fit what is given: the shortest is shown. A control takes the one that FSELECT names.",
     freeUnsolved: (d, w) =>
       `${w.text(d.form)}: what is given does not determine this element, or contradicts itself. Give more values, or FSELECT.`,
@@ -297,6 +293,10 @@ export const messages = {
       } in its grip. Check ⌀, length and face of CLAMPING.`,
     blankMissing: () => "The program states no blank.",
     blankNotTurned: (d, w) => `A blank of the form ${w.text(d.form)} is not turned round the axis.`,
+    endsExchanged: (d, w) =>
+      d.axis === "X"
+        ? `From X${w.diameter(d.start)} to X${w.diameter(d.end)} there is no material to cut. Start and end (${d.other}) exchanged?`
+        : `From Z${w.signed(d.start)} to Z${w.signed(d.end)} there is no material to cut. Start and end (${d.other}) exchanged?`,
     endInFront: (d, w) => `Z${w.signed(d.value)} is in front of the workpiece. ${w.signed(d.nearest)}?`,
     blankAgainstContour: (d, w) =>
       ({
@@ -312,8 +312,8 @@ export const messages = {
       })[d.place],
     blankImpossible: () => "The blank has no volume: check its measures.",
     boxTurned: (d, w) =>
-      `The box turns as the cylinder round its corners, diameter ${w.value(d.outer)}. Only within diameter ${
-        w.value(d.inner)
+      `The box turns as the cylinder round its corners, diameter ${w.size(d.outer)}. Only within diameter ${
+        w.size(d.inner)
       } is there material all round for sure. ` + "A round bar is a BLK FORM CYLINDER.",
     blankTaken: (d, w) => `${w.text(d.what)} is taken as the blank.`,
     blankAdds: (d, w) => `${w.text(d.what)} outlines ${w.area(d.area)} more than BLK FORM has. The outline counts.`,

@@ -22,7 +22,6 @@ export const findings = {
   residue: {
     askCycle: "Quel cycle l’enlève ?",
     thick: (mm) => `Son épaisseur atteint ${mm} mm.`,
-    alike: (places, area) => `C’est le plus grand de ${places} endroits semblables, où il reste ${area} en tout.`,
     ask: "Quel outil l’enlève ?",
     trying: "Les outils du tableau sont essayés.",
     all: (tool) => `L’outil ${tool} ne laisse rien ici.`,

@@ -38,6 +38,7 @@ const CLAMPED = {
 export const messages = {
   severity: { error: "Erreur", warning: "Avertissement", info: "Remarque" },
   reasons,
+  morePlaces: (place, more) => `${place} et à ${more === 1 ? "un autre endroit" : `${more} autres endroits`}`,
   of: {
     ...running,
     ...threads,
@@ -48,28 +49,24 @@ export const messages = {
     outOfRange: (d, w) => `${w.value(d.value)} est hors de la plage ${w.value(d.min)} à ${w.value(d.max)}.${nearest(d.nearest, w.value)}`,
     notWhole: (d, w) => `${w.number(d.value)} n’est pas un nombre entier.${nearest(d.nearest, w.number)}`,
     notAChoice: (d, w) => `${w.number(d.value)} n’est pas un des choix ${d.choices.join(", ")}.${nearest(d.nearest, w.number)}`,
-    startEqualsEnd: (d, w) => `Départ et fin sont identiques : ${d.other} vaut aussi ${w.value(d.value)}.${nearest(d.nearest, w.value)}`,
+    startEqualsEnd: (d, w) => `Départ et fin sont identiques : ${d.other} vaut aussi ${w.value(d.value)}.`,
     startLevelWithEnd: (d, w) =>
       `Le point de départ est à ${d.axis} ${w.size(d.value)}, là où finit le contour : entre les deux, il n’y a rien à usiner.`,
     diameterNegative: (d, w) =>
       `${w.value(d.value)} est un diamètre au-delà de l’axe, où aucun contour n’est calculé.${nearest(d.nearest, w.value)}`,
-    elementTooLong: (d, w) =>
-      `${w.size(d.size)} est plus long que l’élément ne le permet : ${w.size(d.max)} au plus.${nearest(d.nearest, w.size)}`,
-    cornersTooWide: (d, w) =>
-      `Deux rayons de coin de ${w.size(d.radius)} dépassent la largeur du fond : ${w.size(d.max)} au plus.`
-      + `${nearest(d.nearest, w.size)}`,
-    wallsMeet: (d, w) =>
-      `Avec ${w.angle(d.angle)}, les flancs se rejoignent au-dessus du fond : moins de ${w.angle(d.max)}.${nearest(d.nearest, w.angle)}`,
+    elementTooLong: (d, w) => `${w.size(d.size)} est plus long que l’élément ne le permet : ${w.size(d.max)} au plus.`,
+    cornersTooWide: (d, w) => `Deux rayons de coin de ${w.size(d.radius)} dépassent la largeur du fond : ${w.size(d.max)} au plus.` + ``,
+    wallsMeet: (d, w) => `Avec ${w.angle(d.angle)}, les flancs se rejoignent au-dessus du fond : moins de ${w.angle(d.max)}.`,
     cornerSmallerThanInsert: (d, w) =>
       `Le rayon de coin ${w.size(d.radius)} est inférieur à celui de la plaquette, ${w.size(d.insert)} : le `
-      + `coin gardera ${w.size(d.insert)}.${nearest(d.nearest, w.size)}`,
+      + `coin gardera ${w.size(d.insert)}.`,
     recessNarrowerThanTool: (d, w) =>
       `Le fond de la gorge est large de ${w.size(d.width)}, l’outil et la surépaisseur demandent `
       + `${w.size(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "L’" : `Élément ${d.element} : l’`}outil ne peut pas suivre ${w.angle(d.angle)} : l’${
         reasons[d.edge]
-      } permet ${w.angle(d.max)}, de la ` + `matière reste.${nearest(d.nearest, w.angle)}`,
+      } permet ${w.angle(d.max)}, de la ` + `matière reste.`,
     tooManyPasses: (d, w) => `${d.passes} passes, c’est plus que ${d.most}.${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) =>
       `La passe ${w.size(d.infeed)} dépasse CUTLENGTH ${w.size(d.cutLength)} : elle est réduite à ${w.size(d.cutLength)}.`,
@@ -142,13 +139,9 @@ export const messages = {
     cornerElementAlone: (d) =>
       `Élément ${d.element} : un chanfrein ou un arrondi demande un élément avant et après, un chanfrein deux droites.`,
     cornerElementTooLong: (d, w) =>
-      `Élément ${d.element} : ${w.size(d.size)} ne tient pas entre ses voisins : ${w.size(d.max)} au plus.`
-      + `${nearest(d.nearest, w.size)}`,
-    arcOffCircle: (d, w) =>
-      `Élément ${d.element} : le point final manque son cercle de ${w.size(d.gap)}.`
-      + (d.nearest === undefined ? "" : ` Rayon possible : ${w.size(d.nearest)}.`),
-    arcTooSmall: (d, w) =>
-      `Élément ${d.element} : le rayon ${w.size(d.radius)} est trop petit pour le point final.${nearest(d.nearest, w.size)}`,
+      `Élément ${d.element} : ${w.size(d.size)} ne tient pas entre ses voisins : ${w.size(d.max)} au plus.` + ``,
+    arcOffCircle: (d, w) => `Élément ${d.element} : le point final manque son cercle de ${w.size(d.gap)}.`,
+    arcTooSmall: (d, w) => `Élément ${d.element} : le rayon ${w.size(d.radius)} est trop petit pour le point final.`,
     elementFree:
       (d) => (d.freedom === 1 ? `Élément ${d.element} : il manque une valeur.` : `Élément ${d.element} : il manque ${d.freedom} valeurs.`),
     elementContradicts: (
@@ -156,8 +149,9 @@ export const messages = {
       w,
     ) => (d.quantity === "tangent"
       ? `L’élément ${d.element} ne se raccorde pas tangentiellement ; l’écart est de ${w.number(d.nearest)}°.`
-      : `Élément ${d.element} : ${ELEMENT[d.quantity]} ${w.number(d.given)} contredit les autres valeurs ; `
-        + `${w.number(d.nearest)} convient.`),
+      : `Élément ${d.element} : ${ELEMENT[d.quantity]} ${
+        (d.quantity === "angle" ? w.number : w.size)(d.given)
+      } contredit les autres valeurs ; ` + `${(d.quantity === "angle" ? w.number : w.size)(d.nearest)} convient.`),
     elementUnreachable: (d) => `Élément ${d.element} : avec cette longueur, ce rayon ou cet angle, il n’atteint pas son voisin.`,
     centreMissing: (d) => `Élément ${d.element} : le centre manque ; placer CC avant.`,
     contourCrossesItself: (d) => `L’élément ${d.element} croise l’élément ${d.other}.`,
@@ -188,9 +182,9 @@ export const messages = {
     recessWord: (d) => `Élément ${d.element} : ${d.word} manque ou ne donne aucune forme possible.`,
     recessWordsExclusive: (d) => `Élément ${d.element} : ${d.other} et ${d.word} s’excluent. N’en indiquer qu’un.`,
     pitchNotListed: (d, w) => {
-      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.value(n)])).join(" et ");
+      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.size(n, 4)])).join(" et ");
       return `Élément ${d.element} : DIN 76 ne donne pas de dégagement pour un pas de ${
-        w.value(d.pitch)
+        w.size(d.pitch, 4)
       } ; les pas voisins sont ${near}. En prendre un, ou écrire ${d.words}.`;
     },
     undercutDefaults: (d) =>
@@ -272,8 +266,8 @@ export const messages = {
     feedUnlikely: (d, w) =>
       `Une avance de ${w.number(d.feed)} ${d.unit} est peu vraisemblable. Vérifier M136 : avec lui, F compte en mm par tour.`,
     drillTooShort: (d, w) =>
-      `Le trou a ${w.value(d.depth)} de profondeur, les arêtes du foret (LCUTS) ${w.value(d.edges)} : la queue peut frotter.`,
-    pitchOfTap: (d, w) => `Q239 vaut ${w.value(d.pitch)}, mais le taraud du tableau a un PITCH de ${w.value(d.tap)}.`,
+      `Le trou a ${w.size(d.depth)} de profondeur, les arêtes du foret (LCUTS) ${w.size(d.edges)} : la queue peut frotter.`,
+    pitchOfTap: (d, w) => `Q239 vaut ${w.size(d.pitch)}, mais le taraud du tableau a un PITCH de ${w.size(d.tap)}.`,
     freeChosen: () =>
       "À partir d’ici, plusieurs contours conviennent aux données : le plus court est montré. La commande prend celui que FSELECT désigne.",
     freeUnsolved: (d, w) =>
@@ -317,6 +311,10 @@ export const messages = {
       } dans la prise. Vérifier ⌀, longueur et face de CLAMPING.`,
     blankMissing: () => "Le programme n’indique pas de brut.",
     blankNotTurned: (d, w) => `Un brut de forme ${w.text(d.form)} n’est pas un corps de révolution autour de l’axe.`,
+    endsExchanged: (d, w) =>
+      d.axis === "X"
+        ? `De X${w.diameter(d.start)} à X${w.diameter(d.end)}, il n’y a pas de matière à usiner. Début et fin (${d.other}) intervertis ?`
+        : `De Z${w.signed(d.start)} à Z${w.signed(d.end)}, il n’y a pas de matière à usiner. Début et fin (${d.other}) intervertis ?`,
     endInFront: (d, w) => `Z${w.signed(d.value)} est devant la pièce. ${w.signed(d.nearest)} ?`,
     blankAgainstContour: (d, w) =>
       ({
@@ -336,8 +334,8 @@ export const messages = {
       })[d.place],
     blankImpossible: () => "Le brut n’a pas de volume : vérifier ses cotes.",
     boxTurned: (d, w) =>
-      `Le parallélépipède tourne comme le cylindre autour de ses coins, diamètre ${w.value(d.outer)}. La matière n’est sûre tout autour `
-      + `que jusqu’au diamètre ${w.value(d.inner)}. Une barre ronde est un BLK FORM CYLINDER.`,
+      `Le parallélépipède tourne comme le cylindre autour de ses coins, diamètre ${w.size(d.outer)}. La matière n’est sûre tout autour `
+      + `que jusqu’au diamètre ${w.size(d.inner)}. Une barre ronde est un BLK FORM CYLINDER.`,
     blankTaken: (d, w) => `${w.text(d.what)} sert de brut.`,
     blankAdds: (d, w) => `${w.text(d.what)} décrit ${w.area(d.area)} de plus que BLK FORM. C’est ce contour qui compte.`,
     blankTraced: () =>

@@ -22,7 +22,6 @@ export const findings = {
   residue: {
     askCycle: "哪个循环能切除它？",
     thick: (mm) => `最厚处 ${mm} mm。`,
-    alike: (places, area) => `这是 ${places} 处同类残留中最大的一处，合计 ${area}。`,
     ask: "哪把刀能切掉它？",
     trying: "正在试用刀具表中的刀具。",
     all: (tool) => `刀具 ${tool} 在这里不残留材料。`,

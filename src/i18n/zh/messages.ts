@@ -37,6 +37,7 @@ const CLAMPED = {
 export const messages = {
   severity: { error: "错误", warning: "警告", info: "提示" },
   reasons,
+  morePlaces: (place, more) => `${place}（另有${more}处同类）`,
   of: {
     ...running,
     ...threads,
@@ -47,19 +48,18 @@ export const messages = {
     outOfRange: (d, w) => `${w.value(d.value)}超出范围${w.value(d.min)}至${w.value(d.max)}。${nearest(d.nearest, w.value)}`,
     notWhole: (d, w) => `${w.number(d.value)}不是整数。${nearest(d.nearest, w.number)}`,
     notAChoice: (d, w) => `${w.number(d.value)}不在可选值${d.choices.join("、")}中。${nearest(d.nearest, w.number)}`,
-    startEqualsEnd: (d, w) => `起点与终点相同：${d.other}也是${w.value(d.value)}。${nearest(d.nearest, w.value)}`,
+    startEqualsEnd: (d, w) => `起点与终点相同：${d.other}也是${w.value(d.value)}。`,
     startLevelWithEnd: (d, w) => `起点位于${d.axis} ${w.size(d.value)}，与轮廓终点相同：两者之间没有可加工的材料。`,
     diameterNegative: (d, w) => `${w.value(d.value)}位于轴线另一侧，此处不计算轮廓。${nearest(d.nearest, w.value)}`,
-    elementTooLong: (d, w) => `${w.size(d.size)}大于该元素的长度，最大${w.size(d.max)}。${nearest(d.nearest, w.size)}`,
-    cornersTooWide: (d, w) => `两个半径${w.size(d.radius)}的圆角宽于槽底，最大${w.size(d.max)}。${nearest(d.nearest, w.size)}`,
-    wallsMeet: (d, w) => `角度为${w.angle(d.angle)}时两侧壁在槽底上方相交，最大${w.angle(d.max)}。${nearest(d.nearest, w.angle)}`,
-    cornerSmallerThanInsert: (d, w) =>
-      `角半径${w.size(d.radius)}小于刀尖半径${w.size(d.insert)}：该角将保留${w.size(d.insert)}。${nearest(d.nearest, w.size)}`,
+    elementTooLong: (d, w) => `${w.size(d.size)}大于该元素的长度，最大${w.size(d.max)}。`,
+    cornersTooWide: (d, w) => `两个半径${w.size(d.radius)}的圆角宽于槽底，最大${w.size(d.max)}。`,
+    wallsMeet: (d, w) => `角度为${w.angle(d.angle)}时两侧壁在槽底上方相交，最大${w.angle(d.max)}。`,
+    cornerSmallerThanInsert: (d, w) => `角半径${w.size(d.radius)}小于刀尖半径${w.size(d.insert)}：该角将保留${w.size(d.insert)}。`,
     recessNarrowerThanTool: (d, w) => `槽底宽${w.size(d.width)}，刀具和余量需要${w.size(d.tool)}。${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
       `${d.element === undefined ? "" : `元素${d.element}：`}刀具无法跟随${w.angle(d.angle)}：${reasons[d.edge]}允许${
         w.angle(d.max)
-      }，会残留材料。${nearest(d.nearest, w.angle)}`,
+      }，会残留材料。`,
     tooManyPasses: (d, w) => `${d.passes} 次走刀超过 ${d.most} 次。${nearest(d.nearest, w.size)}`,
     infeedOverCutLength: (d, w) => `进刀量${w.size(d.infeed)}大于CUTLENGTH ${w.size(d.cutLength)}：自动减小为${w.size(d.cutLength)}。`,
     depthOverCutLength: (d, w) => `深度${w.size(d.depth)}大于CUTLENGTH ${w.size(d.cutLength)}：其余材料残留。`,
@@ -105,18 +105,18 @@ export const messages = {
     contourEndCovered: (d, w) => `轮廓终点${w.place(d.x, d.z)}落在轮廓自身之内：有元素超出该终点，工件无法由此延续。`,
     contourPoint: (d) => `元素${d.element}：终点缺失或无法到达。`,
     cornerElementAlone: (d) => `元素${d.element}：倒角或倒圆前后都需要有元素，倒角需要两条直线。`,
-    cornerElementTooLong: (d, w) =>
-      `元素${d.element}：${w.size(d.size)}在相邻元素之间放不下，最大${w.size(d.max)}。${nearest(d.nearest, w.size)}`,
-    arcOffCircle: (d, w) =>
-      `元素${d.element}：终点偏离圆${w.size(d.gap)}。${d.nearest === undefined ? "" : `可用半径：${w.size(d.nearest)}。`}`,
-    arcTooSmall: (d, w) => `元素${d.element}：半径${w.size(d.radius)}对该终点过小。${nearest(d.nearest, w.size)}`,
+    cornerElementTooLong: (d, w) => `元素${d.element}：${w.size(d.size)}在相邻元素之间放不下，最大${w.size(d.max)}。`,
+    arcOffCircle: (d, w) => `元素${d.element}：终点偏离圆${w.size(d.gap)}。`,
+    arcTooSmall: (d, w) => `元素${d.element}：半径${w.size(d.radius)}对该终点过小。`,
     elementFree: (d) => `元素${d.element}：还需要${d.freedom}个数值。`,
     elementContradicts: (
       d,
       w,
     ) => (d.quantity === "tangent"
       ? `元素${d.element}与前一元素不相切，偏差${w.number(d.nearest)}°。`
-      : `元素${d.element}：${ELEMENT[d.quantity]}${w.number(d.given)}与其他数值矛盾，${w.number(d.nearest)}可用。`),
+      : `元素${d.element}：${ELEMENT[d.quantity]}${(d.quantity === "angle" ? w.number : w.size)(d.given)}与其他数值矛盾，${
+        (d.quantity === "angle" ? w.number : w.size)(d.nearest)
+      }可用。`),
     elementUnreachable: (d) => `元素${d.element}：按此长度、半径或角度无法到达相邻元素。`,
     centreMissing: (d) => `元素${d.element}：缺少圆心，请在其前面加入CC。`,
     contourCrossesItself: (d) => `元素${d.element}与元素${d.other}相交。`,
@@ -139,8 +139,8 @@ export const messages = {
     recessWord: (d) => `元素${d.element}：${d.word}缺失，或无法构成形状。`,
     recessWordsExclusive: (d) => `元素${d.element}：${d.other}与${d.word}只能输入其中一个。`,
     pitchNotListed: (d, w) => {
-      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.value(n)])).join("和");
-      return `元素${d.element}：DIN 76没有螺距${w.value(d.pitch)}的退刀槽，相邻的为${near}。请取其一，或写明${d.words}。`;
+      const near = [d.below, d.above].flatMap((n) => (n === undefined ? [] : [w.size(n, 4)])).join("和");
+      return `元素${d.element}：DIN 76没有螺距${w.size(d.pitch, 4)}的退刀槽，相邻的为${near}。请取其一，或写明${d.words}。`;
     },
     undercutDefaults: (d) => `元素${d.element}：${d.words}取自标准，本数控系统的手册未印出，建议写明。`,
     materialLeft: (d, w) =>
@@ -198,8 +198,8 @@ export const messages = {
     compensationActive: (d) => `此处${d.side}仍有效，而数控系统要求R0：请在之前的定位程序段中编写R0。`,
     feedZero: (d, w) => `${w.text(d.word)}：此处切削进给为0。请给出大于0的进给；FAUTO取用TOOL CALL中的F。`,
     feedUnlikely: (d, w) => `${w.number(d.feed)} ${d.unit}的进给不合常理。请检查M136：有它时F以毫米/转计。`,
-    drillTooShort: (d, w) => `孔深${w.value(d.depth)}，而钻头切削刃长度（LCUTS）为${w.value(d.edges)}：刀杆可能摩擦孔壁。`,
-    pitchOfTap: (d, w) => `Q239为${w.value(d.pitch)}，而刀具表中丝锥的PITCH为${w.value(d.tap)}。`,
+    drillTooShort: (d, w) => `孔深${w.size(d.depth)}，而钻头切削刃长度（LCUTS）为${w.size(d.edges)}：刀杆可能摩擦孔壁。`,
+    pitchOfTap: (d, w) => `Q239为${w.size(d.pitch)}，而刀具表中丝锥的PITCH为${w.size(d.tap)}。`,
     freeChosen: () => "从这里起有多个轮廓符合所给数据：显示的是最短的一个。数控系统采用FSELECT指定的那个。",
     freeUnsolved: (d, w) => `${w.text(d.form)}：所给数据不能确定该元素，或相互矛盾。请给出更多数据，或使用FSELECT。`,
     cycleNeverCalled: (d) => `循环${d.cycle}已定义但从未调用：其后缺少CYCL CALL或M99。`,
@@ -231,6 +231,10 @@ export const messages = {
     clampingMisses: (d, w) => `装夹没有夹住毛坯：夹持范围内没有${w.diameter(d.diameter)}的表面。请检查CLAMPING的直径、长度和端面。`,
     blankMissing: () => "程序没有定义毛坯。",
     blankNotTurned: (d, w) => `${w.text(d.form)}形式的毛坯不是绕轴的回转体。`,
+    endsExchanged: (d, w) =>
+      d.axis === "X"
+        ? `从X${w.diameter(d.start)}到X${w.diameter(d.end)}没有可切削的材料。起点与终点（${d.other}）是否颠倒？`
+        : `从Z${w.signed(d.start)}到Z${w.signed(d.end)}没有可切削的材料。起点与终点（${d.other}）是否颠倒？`,
     endInFront: (d, w) => `Z${w.signed(d.value)} 在工件前方。是否为 ${w.signed(d.nearest)}？`,
     blankAgainstContour: (d, w) =>
       ({
@@ -242,9 +246,7 @@ export const messages = {
       })[d.place],
     blankImpossible: () => "毛坯没有体积：请检查其尺寸。",
     boxTurned: (d, w) =>
-      `方料按包住其各角的圆柱旋转，直径 ${w.value(d.outer)}。只有直径 ${
-        w.value(d.inner)
-      } 以内整圈一定有材料。圆棒料请用 BLK FORM CYLINDER。`,
+      `方料按包住其各角的圆柱旋转，直径 ${w.size(d.outer)}。只有直径 ${w.size(d.inner)} 以内整圈一定有材料。圆棒料请用 BLK FORM CYLINDER。`,
     blankTaken: (d, w) => `${w.text(d.what)} 用作毛坯。`,
     blankAdds: (d, w) => `${w.text(d.what)} 的轮廓比 BLK FORM 多出${w.area(d.area)}。以该轮廓为准。`,
     blankTraced: () => "毛坯跟踪期间，粗加工省略不接触材料的层。数控系统可能缩短的其他空行程仍完整显示。",

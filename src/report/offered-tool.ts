@@ -1,0 +1,31 @@
+import { cycleByNumber } from "../cycles/index.ts";
+import type { Tool } from "../kernel/tool.ts";
+import type { Operation } from "../program/run-types.ts";
+import { betterTool } from "../program/which-tool.ts";
+
+/** Findings that another tool would mend: a dimension of the drawing stays as it is. */
+export const BY_TOOL: ReadonlySet<string> = new Set([
+  "toolUnfit",
+  "toolCannotCutSideways",
+  "recessNarrowerThanTool",
+  "angleNotFollowed",
+  "cornerSmallerThanInsert",
+]);
+
+/** Operations that tools are looked for in one report: each costs a plan for each tool. */
+const MOST = 40;
+
+/** The tool of a table that makes the contour of an operation, tried; null where none does. A loop over a call is tried once. */
+export function toolsOffered(tools: readonly Tool[]): (operation: Operation) => Tool | null {
+  const known = new Map<string, Tool | null>();
+  return ({ cycle: number, tool, call, feedUnit, definedFile, definedLine }) => {
+    const cycle = cycleByNumber(number), key = `${definedFile ?? ""} ${definedLine} ${tool.T}`;
+    const before = known.get(key);
+    if (before !== undefined) return before;
+    if (!cycle || !call || known.size >= MOST) return null;
+    const setting = { tool, start: call.start, feedUnit, autoFeed: call.autoFeed, stock: null };
+    const found = betterTool(cycle, call.values, call.given, setting, tools);
+    known.set(key, found);
+    return found;
+  };
+}
