@@ -43,11 +43,11 @@ const pure = {
 /** The page asks one clock and draws by one lot, so that a test can hold both. */
 const held = {
   properties: [["Date", "now"], ["performance", "now"], ["Math", "random"], ["crypto", "randomUUID"], ["crypto", "getRandomValues"]].map(
-    ([object, property]) => ({ object, property, message: "Ask src/app/clock.ts for the time and src/app/chance.ts for an id." })
+    ([object, property]) => ({ object, property, message: "Ask src/app/base/clock.ts for the time and src/app/base/chance.ts for an id." })
   ),
   syntax: {
     selector: "NewExpression[callee.name='Date'][arguments.length=0]",
-    message: "Ask src/app/clock.ts for the time.",
+    message: "Ask src/app/base/clock.ts for the time.",
   },
 };
 
@@ -101,7 +101,7 @@ export default defineConfig([
   },
   {
     files: ["src/app/**/*.{ts,tsx}"],
-    ignores: ["**/*.test.{ts,tsx}", "src/app/clock.ts", "src/app/chance.ts"],
+    ignores: ["**/*.test.{ts,tsx}", "src/app/base/clock.ts", "src/app/base/chance.ts"],
     rules: { "no-restricted-properties": ["error", ...held.properties], "no-restricted-syntax": ["error", ...form, held.syntax] },
   },
   {

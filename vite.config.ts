@@ -8,7 +8,7 @@ import { bundle, pageObjects } from "./scripts/bundle.mjs";
 import { LongestFirst } from "./scripts/longest-first.ts";
 import { offline } from "./scripts/offline.ts";
 import { contentPolicy } from "./scripts/serve.mjs";
-import { MEDIA } from "./src/app/media.ts";
+import { MEDIA } from "./src/app/base/media.ts";
 
 /**
  * The static site (paths relative, so that it runs from any folder) and the tests. Tests run in a random order whose
@@ -49,7 +49,7 @@ const pageStyles: Plugin = {
       (written, n: string) => Number(n) > 1 ? `${Number(n) / ROOT_SIZE}rem` : written);
     return grown.replaceAll(/\(--([a-z]+)\)(?=[^;{}]*\{)/g, (written, name: string) => {
       const condition = Object.entries(MEDIA).find(([known]) => known === name)?.[1];
-      if (condition === undefined) this.error(`${written} is no condition of src/app/media.ts`);
+      if (condition === undefined) this.error(`${written} is no condition of src/app/base/media.ts`);
       return condition;
     });
   },

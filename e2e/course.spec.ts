@@ -36,7 +36,7 @@ test("the course by keyboard: a lesson to its end, a value slid, example and tas
   await page.goForward();
   await expect(course.page(count)).toHaveAttribute("aria-current", "page");
 
-  await page.goto("./?clock=manual#/course/first-shoulder/2");
+  await page.goto(".?clock=manual#/course/first-shoulder/2");
   const passes = course.fact(t.page.effect.passes);
   const infeed = course.fact(t.page.effect.infeed);
   await expect(passes).toHaveText("4");

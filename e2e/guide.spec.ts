@@ -54,7 +54,7 @@ test("from a prompt to the page of its parameter, to a word, and back; advice is
 
 test("the numbered steps are played by keys and by finger; cutting data are the shop's own", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
-  await page.goto("./?clock=manual#/guide/812");
+  await page.goto(".?clock=manual#/guide/812");
   const player = page.getByRole("region", { name: t.steps.title });
   const step = (name: string) => player.getByRole("button", { name: new RegExp(name) });
   await expect(step("cut lengthwise")).toBeVisible();

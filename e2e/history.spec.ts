@@ -76,7 +76,7 @@ test("the address of a work that is not here says so", async ({ page }) => {
   const { t, start } = await Turnwise.open(page);
   await page.goto("./#/work/nowhere/contour");
   await expect(page.getByText(t.page.notice.workNotHere)).toBeVisible();
-  await page.goto("./?clock=manual#/work/nowhere/contour");
+  await page.goto(".?clock=manual#/work/nowhere/contour");
   await expect(page.getByText(t.page.notice.workNotHere)).toBeVisible();
   await expect(start.button(812, true)).toBeVisible();
   await looksRight(page);

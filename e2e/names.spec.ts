@@ -107,7 +107,7 @@ test("every control of every screen has the name it is known by, and no other ha
   await course.slide("Q463").waitFor();
   await look("course: a page of a lesson");
 
-  await page.goto("./?clock=manual&seed=7#/own");
+  await page.goto(".?clock=manual&seed=7#/own");
   await own.add.click();
   await look("own cycles");
   expect(`${screens.join("\n\n")}\n`).toMatchSnapshot("names.txt");

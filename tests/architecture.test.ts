@@ -72,7 +72,7 @@ describe("what one file keeps to itself", () => {
 
   test("only app/parts.ts makes components that are fetched later, which must not fail by not coming", () => {
     const makes = all.filter((s) => /\blazy\b[^;]*from "react"|\bReact\.lazy\b/.test(code(s.text))).map((s) => s.path);
-    expect(makes).toEqual(["src/app/parts.ts"]);
+    expect(makes).toEqual(["src/app/base/parts.ts"]);
   });
 
   test("only kernel/units.ts halves or doubles an X", () => {
@@ -157,7 +157,7 @@ describe("what the start page waits for", () => {
     "src/program/job.ts",
     "src/i18n/index.ts",
     "src/i18n/en/index.ts",
-    "src/app/settings/use-texts.ts",
+    "src/app/base/settings/use-texts.ts",
     "src/app/reading.ts",
     "src/app/engine/client.ts",
   ])("not %s", (name) => expect(reached.get(name)).toBe(undefined));
@@ -211,7 +211,7 @@ test("breakpoints exist once", () => {
   const bare = styles.flatMap(({ path, text }) =>
     [...text.matchAll(/@media[^{]*?(?:width|height)[^{]*/g)].map(([query]) => `${path}: ${query}`)
   );
-  const queries = all.filter(({ path, text }) => path !== "src/app/media.ts" && /\((?:min|max)-(?:width|height):/.test(code(text)));
+  const queries = all.filter(({ path, text }) => path !== "src/app/base/media.ts" && /\((?:min|max)-(?:width|height):/.test(code(text)));
   expect([...bare, ...queries.map(({ path }) => path)]).toEqual([]);
 });
 

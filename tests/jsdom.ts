@@ -2,8 +2,8 @@ import { configure } from "@testing-library/dom";
 import { texts } from "../src/i18n/index.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { menuWords } from "../src/i18n/menu-words.ts";
-import { provideTableTexts } from "../src/app/settings/use-table-texts.ts";
-import { provideFirstTexts, provideTexts } from "../src/app/settings/loaded-texts.ts";
+import { provideTableTexts } from "../src/app/base/settings/use-table-texts.ts";
+import { provideFirstTexts, provideTexts } from "../src/app/base/settings/loaded-texts.ts";
 
 /** For what never comes: on a slow machine a component may take long to show what it was given, ms. */
 configure({ asyncUtilTimeout: 60_000 });

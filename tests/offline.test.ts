@@ -86,7 +86,7 @@ test.each(LANGUAGES)("the manifest in %s leads nowhere but into its own folder, 
   });
 
 test("the colours of the browser's own parts are those of the page", () => {
-  const tokens = [...projectFile("src/app/styles/tokens.css").matchAll(/--page: (#\w+);/g)].map(([, colour]) => colour);
+  const tokens = [...projectFile("src/app/base/styles/tokens.css").matchAll(/--page: (#\w+);/g)].map(([, colour]) => colour);
   const page = [...projectFile("index.html").matchAll(/name="theme-color" content="(#\w+)"/g)].map(([, colour]) => colour);
   expect(page).toHaveLength(2);
   expect(page).toEqual([...new Set(tokens)]);

@@ -2,7 +2,7 @@ import { cleanup, render, screen } from "@testing-library/react";
 import { afterEach, expect, test, vi } from "vitest";
 import { CrashGuard } from "./CrashGuard.tsx";
 import { useReports } from "./crash/reports.ts";
-import { changeSettings } from "./settings/settings.ts";
+import { changeSettings } from "./base/settings/settings.ts";
 
 afterEach(cleanup);
 

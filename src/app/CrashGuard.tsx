@@ -1,10 +1,10 @@
 import { Component, Suspense, type ErrorInfo, type ReactNode } from "react";
 import { noteFault } from "./crash/reports.ts";
-import { lazyPart } from "./parts.ts";
+import { lazyPart } from "./base/parts.ts";
 import { unkeptWorks } from "./saving/keep.ts";
 import { rememberWork } from "./saving/tab.ts";
-import { firstTexts } from "./settings/loaded-texts.ts";
-import { useSettings } from "./settings/settings.ts";
+import { firstTexts } from "./base/settings/loaded-texts.ts";
+import { useSettings } from "./base/settings/settings.ts";
 
 interface State {
   readonly crashed: boolean;

@@ -1,15 +1,15 @@
 import { Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
 import { goHome } from "./address/go-home.ts";
 import { useGuidePlace } from "./guide/guide-place.ts";
-import { Icon } from "./Icon.tsx";
+import { Icon } from "./base/Icon.tsx";
 import { usePlace } from "./place.ts";
 import { useElsewhere } from "./saving/elsewhere.ts";
-import { useFirstTexts } from "./settings/use-first-texts.ts";
+import { useFirstTexts } from "./base/settings/use-first-texts.ts";
 import { useOwnPlace } from "./own/own-place.ts";
 import { useSheetShown } from "./sheet/sheet-place.ts";
 import { CreateProgram } from "./start/CreateProgram.tsx";
 import { redoStep, undoStep } from "./history.ts";
-import { lazyPart } from "./parts.ts";
+import { lazyPart } from "./base/parts.ts";
 import { useSteps } from "./steps.ts";
 import { useEditor } from "./store.ts";
 import { showTools, useToolPlace } from "./tools/tool-place.ts";

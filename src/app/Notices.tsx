@@ -1,6 +1,6 @@
-import { Icon } from "./Icon.tsx";
+import { Icon } from "./base/Icon.tsx";
 import { dismiss, unkeptNames, unkeptWorks, useKeeping } from "./saving/keep.ts";
-import { useFirstTexts } from "./settings/use-first-texts.ts";
+import { useFirstTexts } from "./base/settings/use-first-texts.ts";
 
 /** The works that are nowhere but in this page, as files. */
 function DownloadUnkept() {

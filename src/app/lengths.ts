@@ -4,7 +4,7 @@ import type { Language } from "../i18n/languages.ts";
 import { lengthsIn, type Lengths } from "../i18n/lengths.ts";
 import { IN_MM, type LengthUnit } from "../kernel/units.ts";
 import { useOutcome } from "./engine/outcome.ts";
-import { useSettings } from "./settings/settings.ts";
+import { useSettings } from "./base/settings/settings.ts";
 
 /** What the program of a picture counts in; where nothing is said, the open work tells it. */
 export const CountedIn = createContext<LengthUnit | null>(null);

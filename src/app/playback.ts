@@ -1,4 +1,4 @@
-import { clock } from "./clock.ts";
+import { clock } from "./base/clock.ts";
 import { createPlaybackStore } from "./lathe/playback-store.ts";
 
 /** The playback of the page: lathe view, timeline and program text follow the same one. */

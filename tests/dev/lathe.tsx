@@ -1,11 +1,11 @@
 import { createRoot } from "react-dom/client";
-import { clock } from "../../src/app/clock.ts";
+import { clock } from "../../src/app/base/clock.ts";
 import { LatheView } from "../../src/app/lathe/LatheView.tsx";
 import { createPlaybackStore } from "../../src/app/lathe/playback-store.ts";
-import { followAppearance } from "../../src/app/settings/appearance.ts";
-import { fetchTexts } from "../../src/app/settings/loaded-texts.ts";
-import { useSettings } from "../../src/app/settings/settings.ts";
-import "../../src/app/styles/base.css";
+import { followAppearance } from "../../src/app/base/settings/appearance.ts";
+import { fetchTexts } from "../../src/app/base/settings/loaded-texts.ts";
+import { useSettings } from "../../src/app/base/settings/settings.ts";
+import "../../src/app/base/styles/base.css";
 import { exampleResult } from "./hand-made-run.ts";
 
 /* The lathe view alone, on a run made by hand: `?end` starts at the end, `?fault` cuts into the part, `?many` has 5,000 moves. */

@@ -1,8 +1,8 @@
-import { fetchTexts } from "../../src/app/settings/loaded-texts.ts";
+import { fetchTexts } from "../../src/app/base/settings/loaded-texts.ts";
 import type { Language } from "../../src/i18n/languages.ts";
 import { createRoot } from "react-dom/client";
-import "../../src/app/styles/base.css";
-import "../../src/app/styles/dialog.css";
+import "../../src/app/base/styles/base.css";
+import "../../src/app/base/styles/dialog.css";
 import { HelpPicture } from "../../src/app/help/HelpPicture.tsx";
 import { catalogue } from "../../src/cycles/index.ts";
 import { contourFrom } from "../../src/kernel/contour.ts";

@@ -7,7 +7,7 @@ import { notice, openWork } from "../saving/keep.ts";
 import { useEditor } from "../store.ts";
 import { hideTools, openRow, showKind, showToolNumber, showTools, useToolPlace } from "../tools/tool-place.ts";
 import { toolsOnDevice, useTools } from "../tools/tool-store.ts";
-import { thirdColumn } from "../use-media.ts";
+import { thirdColumn } from "../base/use-media.ts";
 import { hideWhich, showWhich, useWhichPlace } from "../which/which-place.ts";
 import { useWorksPlace } from "../works/works-place.ts";
 import { hideSheet, sheetIsShown, showSheet } from "../sheet/sheet-place.ts";

@@ -2,7 +2,7 @@ import { useMemo } from "react";
 import type { PlaneSegment } from "../../kernel/plane.ts";
 import type { ApproachContext } from "../../program/approach-request.ts";
 import { suggestedForms, type SuggestedForm } from "../../view/approach/forms.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { FormCard } from "./FormCard.tsx";
 import "../help/help.css";
 import "./approach.css";

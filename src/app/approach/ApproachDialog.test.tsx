@@ -6,7 +6,7 @@ import { withBlock } from "../../nc/edit.ts";
 import { parse } from "../../nc/parse.ts";
 import { approachContext } from "../../program/approach-context.ts";
 import { run } from "../../program/run.ts";
-import { fetchTexts } from "../settings/loaded-texts.ts";
+import { fetchTexts } from "../base/settings/loaded-texts.ts";
 import { ApproachDialog } from "./ApproachDialog.tsx";
 
 beforeAll(() => fetchTexts("en"));

@@ -12,7 +12,7 @@ import { px } from "../../view/help/marks.ts";
 import { HelpMarks } from "../help/HelpMarks.tsx";
 import { useSize } from "../help/use-size.ts";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { approachSpeech } from "./speech.ts";
 import { gridOf, useDrag } from "./use-drag.ts";
 import "../help/help.css";

@@ -7,7 +7,7 @@ import { glide, type GlideWay } from "../lathe/glide.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { JERKS } from "../lathe/Timeline.tsx";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 /** The height of the tool over its path, with the running moment. */
 export function DepthPicture({ steps, playback }: { readonly steps: readonly PlaneStep[]; readonly playback: PlaybackStore }) {

@@ -8,7 +8,7 @@ import type { PlaneSegment } from "../../kernel/plane.ts";
 import { px } from "../../view/help/marks.ts";
 import { HelpMarks } from "../help/HelpMarks.tsx";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { approachSpeech } from "./speech.ts";
 
 const SIZE = { width: 200, height: 132 };

@@ -4,7 +4,7 @@ import type { ApproachSpeech } from "../../view/approach/speech.ts";
 import { px } from "../../view/help/marks.ts";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import type { CutPlace } from "./plane-places.ts";
 
 /** The start and end points that the check proposes: a cross in a ring, with its coordinates. */

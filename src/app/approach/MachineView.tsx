@@ -4,9 +4,9 @@ import { useChosen } from "../findings/chosen.ts";
 import { useFindings } from "../findings/use-findings.ts";
 import { LatheView } from "../lathe/LatheView.tsx";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
-import { lazyPart } from "../parts.ts";
-import { fetchAtRest } from "../rest.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { lazyPart } from "../base/parts.ts";
+import { fetchAtRest } from "../base/rest.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { followProgramSides, showSide, showsPlane, switchSide, useAskedView } from "./shown-view.ts";
 import "./approach.css";
 

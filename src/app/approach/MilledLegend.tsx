@@ -1,6 +1,6 @@
 import { formatNumber } from "../../i18n/number.ts";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { MOST_MILLED, type NoStock } from "./cut-milled.ts";
 import { toneName } from "./follow-milled.ts";
 import type { GrowingStock } from "./milled.ts";

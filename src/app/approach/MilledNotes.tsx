@@ -1,7 +1,7 @@
 import { useMemo } from "react";
 import type { Run } from "../../program/run-types.ts";
 import type { RapidThrough } from "../../sim/plane/milled.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 /** What is to be known of the milled stock that is drawn: that nothing is proved with it, and what it shows all the same. */
 export function MilledNotes({ run, rapids }: { readonly run: Run; readonly rapids: readonly RapidThrough[] }) {

@@ -1,5 +1,5 @@
 import { useEffect, useRef } from "react";
-import { useTheme } from "../lathe/use-theme-colours.ts";
+import { useTheme } from "../base/use-theme-colours.ts";
 import { followMilled, type MilledMemory, type MilledScene } from "./follow-milled.ts";
 
 /**

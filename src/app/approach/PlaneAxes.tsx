@@ -7,7 +7,7 @@ import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { useLengths } from "../lengths.ts";
-import { usePageUnit } from "../unit.ts";
+import { usePageUnit } from "../base/unit.ts";
 
 /** Least distance of two marks, units of the page. */
 const APART = { x: 72, y: 44 };

@@ -2,12 +2,12 @@ import { act, cleanup, render } from "@testing-library/react";
 import { afterEach, beforeAll, expect, test } from "vitest";
 import { parse } from "../../nc/parse.ts";
 import { run } from "../../program/run.ts";
-import { clock } from "../clock.ts";
+import { clock } from "../base/clock.ts";
 import { forgetOutcome, takePlanned } from "../engine/outcome.ts";
 import { createPlaybackStore } from "../lathe/playback-store.ts";
 import { createViewport } from "../lathe/viewport.ts";
-import { fetchTexts } from "../settings/loaded-texts.ts";
-import { whileTyping } from "../typing.ts";
+import { fetchTexts } from "../base/settings/loaded-texts.ts";
+import { whileTyping } from "../base/typing.ts";
 import { PlanePicture } from "./PlanePicture.tsx";
 
 beforeAll(() => fetchTexts("en"));

@@ -1,6 +1,6 @@
 import type { ApproachRun } from "../../program/plane-types.ts";
 import type { ApproachSpeech } from "../../view/approach/speech.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 /** All named points of approaches and departures in words. */
 export function PointTable({ approaches, speech }: { readonly approaches: readonly ApproachRun[]; readonly speech: ApproachSpeech }) {

@@ -2,7 +2,7 @@ import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { milledStock, type MilledInput, type MilledStock } from "../../sim/plane/milled.ts";
 import { playerOf } from "../../sim/stock.ts";
-import { stopwatch } from "../clock.ts";
+import { stopwatch } from "../base/clock.ts";
 
 /** Why no stock is drawn: the program has no blank for it, or too many motions. */
 export type NoStock = "noBlank" | "tooLong";

@@ -11,7 +11,7 @@ import { askWorker } from "../engine/worker-life.ts";
 import { fitCanvas } from "../lathe/fit-canvas.ts";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { playedLayer } from "../lathe/played-layer.ts";
-import { pageColours } from "../lathe/use-theme-colours.ts";
+import { pageColours } from "../base/use-theme-colours.ts";
 import { drawnRoom, type Viewport } from "../lathe/viewport.ts";
 import { shiftSheet } from "../lathe/World.tsx";
 import type { GrowingStock } from "./milled.ts";

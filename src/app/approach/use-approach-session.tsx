@@ -7,9 +7,9 @@ import { approachFields, type ApproachField, type ApproachWord } from "../../pro
 import type { ApproachContext } from "../../program/approach-request.ts";
 import type { Prompt, PromptSession } from "../dialog/session.ts";
 import type { FindingEntry } from "../findings/entry.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
-import { heldWhileTyping } from "../typing.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
+import { heldWhileTyping } from "../base/typing.ts";
 
 /** What is typed into the prompts of one block. */
 export interface TypedApproach {

@@ -4,7 +4,7 @@ import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, describe, expect, test } from "vitest";
 import { LANGUAGES } from "../../i18n/languages.ts";
 import { menuWords, type MenuWords } from "../../i18n/menu-words.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { CycleChooser } from "./CycleChooser.tsx";
 import { useRecent } from "./recent.ts";
 import { notHere } from "./menu.ts";

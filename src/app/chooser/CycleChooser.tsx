@@ -1,7 +1,7 @@
 import { useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
-import { Icon } from "../Icon.tsx";
-import { useFirstTexts } from "../settings/use-first-texts.ts";
-import { useFingers, useMedia } from "../use-media.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
+import { useFingers, useMedia } from "../base/use-media.ts";
 import { CycleGroup } from "./CycleGroup.tsx";
 import { CycleRow, type CycleWay } from "./CycleRow.tsx";
 import { onChooserKey } from "./chooser-keys.ts";

@@ -1,7 +1,7 @@
 import { useId, useState } from "react";
 import type { Group } from "../../cycles/define.ts";
-import { Icon } from "../Icon.tsx";
-import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { CycleRow, type CycleWay } from "./CycleRow.tsx";
 import type { MenuCycle } from "./menu.ts";
 

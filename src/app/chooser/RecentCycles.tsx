@@ -1,5 +1,5 @@
 import { useId } from "react";
-import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { Drawing } from "./Drawing.tsx";
 import type { CycleWay } from "./CycleRow.tsx";
 import type { MenuCycle } from "./menu.ts";

@@ -2,7 +2,7 @@ import { menuWordsOf } from "virtual:cycle-menu";
 import { useEffect, useState } from "react";
 import { LANGUAGES } from "../../i18n/languages.ts";
 import type { MenuWords } from "../../i18n/menu-words.ts";
-import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 
 /** The words to search in: those of the screen, and those of the other languages once somebody searches. */
 export function useMenuWords(searching: boolean): readonly MenuWords[] {

@@ -1,5 +1,5 @@
-import { Icon } from "../Icon.tsx";
-import { useTexts } from "../settings/use-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { showComparison, type ShowBlock } from "./compare-place.ts";
 
 /** Compares the open program with another one; a difference leads to its block. */

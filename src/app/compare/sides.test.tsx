@@ -2,7 +2,7 @@ import { afterEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob, UNSET } from "../../program/job.ts";
 import { shippedList } from "../../program/tool-list.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { begin, edit, setHandedOn } from "../store.ts";
 import { takeTools } from "../tools/tool-store.ts";
 import { shopOf } from "../tools/work-tools.ts";

@@ -1,5 +1,5 @@
 import { decode } from "../editor/encoding.ts";
-import { LARGEST_PROGRAM } from "../files/limits.ts";
+import { LARGEST_PROGRAM } from "../base/limits.ts";
 import { shownFile } from "../files/shown-file.ts";
 import { printedText, programName } from "../printed.ts";
 import { asOpened, handedOn, handOver, useEditor, withHandedOn } from "../store.ts";

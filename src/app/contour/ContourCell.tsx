@@ -6,7 +6,7 @@ import type { RowField } from "../../program/contour-rows.ts";
 import { isPlainNumber, minus } from "../dialog/number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { closeStep } from "../steps.ts";
-import { whileTyping } from "../typing.ts";
+import { whileTyping } from "../base/typing.ts";
 
 /** What stands grey in an empty field: where a coordinate stays, or what was solved. */
 export interface Shown {

@@ -3,7 +3,7 @@ import userEvent from "@testing-library/user-event";
 import { useState } from "react";
 import { afterEach, beforeAll, expect, test } from "vitest";
 import { newRow, type ContourRow } from "../../program/job.ts";
-import { fetchTexts } from "../settings/loaded-texts.ts";
+import { fetchTexts } from "../base/settings/loaded-texts.ts";
 import { chooseElement } from "./contour-place.ts";
 import { ContourTable } from "./ContourTable.tsx";
 

@@ -1,12 +1,12 @@
 import { memo, useId, type ReactNode } from "react";
-import { texts } from "../settings/loaded-texts.ts";
+import { texts } from "../base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { RowField, RowIssue, RowReading } from "../../program/contour-rows.ts";
 import type { ContourRow } from "../../program/job.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { polarNames, polarOf, polarTyped, withPolar, type PolarName } from "../../program/polar-row.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { issueText } from "../issue-text.ts";
 import { chooseElement } from "./contour-place.ts";
 import { RecessFields } from "./RecessFields.tsx";

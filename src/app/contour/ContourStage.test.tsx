@@ -5,7 +5,7 @@ import { afterEach, beforeAll, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob, newRow, type ContourRow } from "../../program/job.ts";
 import { setContour } from "../edits.ts";
-import { fetchTexts } from "../settings/loaded-texts.ts";
+import { fetchTexts } from "../base/settings/loaded-texts.ts";
 import { undo, useSteps } from "../steps.ts";
 import { begin, useEditor } from "../store.ts";
 import { chooseElement } from "./contour-place.ts";

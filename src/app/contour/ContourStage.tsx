@@ -2,7 +2,7 @@ import { memo, useState, type ReactNode } from "react";
 import type { Ring } from "../../kernel/point.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { ContourRow } from "../../program/job.ts";
-import { texts } from "../settings/loaded-texts.ts";
+import { texts } from "../base/settings/loaded-texts.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
 import { readRows } from "../../program/contour-rows.ts";
 import { chooseElement, goToElement, useChosenRow } from "./contour-place.ts";

@@ -4,8 +4,8 @@ import { useState } from "react";
 import { afterEach, beforeAll, expect, test } from "vitest";
 import { catalogue } from "../../cycles/index.ts";
 import { exampleJob, newRow, type ContourRow } from "../../program/job.ts";
-import { fetchTexts } from "../settings/loaded-texts.ts";
-import { heldWhileTyping } from "../typing.ts";
+import { fetchTexts } from "../base/settings/loaded-texts.ts";
+import { heldWhileTyping } from "../base/typing.ts";
 import { chooseElement } from "./contour-place.ts";
 import { ContourTable } from "./ContourTable.tsx";
 

@@ -1,5 +1,5 @@
 import { memo, useCallback, useEffect, useEffectEvent, useLayoutEffect, useRef, useState } from "react";
-import { texts } from "../settings/loaded-texts.ts";
+import { texts } from "../base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { readRows, type RowIssue } from "../../program/contour-rows.ts";
 import type { ContourRow } from "../../program/job.ts";

@@ -1,4 +1,4 @@
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { showContourView, useContourPlace } from "./contour-place.ts";
 
 /** Which picture stands in the middle while a contour is edited: its drawing or the lathe. */

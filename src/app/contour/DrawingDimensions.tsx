@@ -1,5 +1,5 @@
 import { useEffect, useLayoutEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
-import { texts } from "../settings/loaded-texts.ts";
+import { texts } from "../base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { dimensionTyped } from "../../program/contour-dimensions.ts";
 import type { RowsReading } from "../../program/contour-rows.ts";
@@ -11,7 +11,7 @@ import type { ContourPicture } from "../../view/help/contour-drawing.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
-import { useFingers } from "../use-media.ts";
+import { useFingers } from "../base/use-media.ts";
 import { drawnDimensions, type DrawnDimension } from "./drawing-dimensions.ts";
 
 interface Props {

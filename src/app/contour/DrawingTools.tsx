@@ -1,6 +1,6 @@
 import { useId } from "react";
 import { Toolbar } from "react-aria-components/Toolbar";
-import { texts } from "../settings/loaded-texts.ts";
+import { texts } from "../base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { GRID_STEPS, type GridStep } from "./snap.ts";

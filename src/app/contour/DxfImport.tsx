@@ -1,5 +1,5 @@
 import { useId, useMemo, useRef, useState } from "react";
-import { texts } from "../settings/loaded-texts.ts";
+import { texts } from "../base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { readRows } from "../../program/contour-rows.ts";
 import { anyNumber, readText, type Field } from "../../program/field.ts";
@@ -7,7 +7,7 @@ import type { ContourRow } from "../../program/job.ts";
 import { dxfDefaults, readDxf, type DxfChoice } from "../../program/read-dxf.ts";
 import { contourDrawing } from "../../view/help/contour-drawing.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { dxfText } from "./dxf-text.ts";
 import { openDxf, type OpenedDxf } from "./open-dxf.ts";
 

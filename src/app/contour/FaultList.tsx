@@ -1,7 +1,7 @@
-import { texts } from "../settings/loaded-texts.ts";
+import { texts } from "../base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { RowIssue } from "../../program/contour-rows.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { issueText } from "../issue-text.ts";
 
 interface Props {

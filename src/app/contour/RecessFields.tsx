@@ -1,4 +1,4 @@
-import { texts } from "../settings/loaded-texts.ts";
+import { texts } from "../base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { UNDERCUT_FORMS } from "../../kernel/undercut.ts";
 import type { ContourRow } from "../../program/job.ts";

@@ -1,6 +1,6 @@
 import type { ReactNode } from "react";
 import { Toolbar } from "react-aria-components/Toolbar";
-import { texts } from "../settings/loaded-texts.ts";
+import { texts } from "../base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { CornerKind } from "./drawing-edits.ts";
 import type { RowActions } from "./use-table-keys.ts";

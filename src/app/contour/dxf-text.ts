@@ -1,7 +1,7 @@
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { DxfIssue } from "../../program/read-dxf.ts";
-import { texts } from "../settings/loaded-texts.ts";
+import { texts } from "../base/settings/loaded-texts.ts";
 
 /** What was found in a drawing, as a sentence. */
 export function dxfText(language: Language, found: DxfIssue): string {

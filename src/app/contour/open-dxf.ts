@@ -1,5 +1,5 @@
 import type { ParsedDxf } from "../../program/read-dxf.ts";
-import { untilHere } from "../parts.ts";
+import { untilHere } from "../base/parts.ts";
 
 /** Largest file that is read, bytes. */
 const LARGEST = 20_000_000;

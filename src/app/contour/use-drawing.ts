@@ -1,4 +1,4 @@
-import { pageUnit } from "../unit.ts";
+import { pageUnit } from "../base/unit.ts";
 import { useEffect, useRef, useState, type MouseEvent, type PointerEvent } from "react";
 import { part, type Pt } from "../../kernel/point.ts";
 import { axial, diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";

@@ -1,6 +1,6 @@
 import { useEffect, useEffectEvent, type RefObject } from "react";
 import type { Place } from "../../view/camera.ts";
-import { pageUnit } from "../unit.ts";
+import { pageUnit } from "../base/unit.ts";
 
 /** Zoom per wheel pixel, and pixels of one line. */
 const WHEEL = 0.0015, LINE = 33;

@@ -1,6 +1,6 @@
 import { useState } from "react";
 import { isEmptyProgress } from "../../course/progress.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { beginCourseAnew, useLearning } from "./progress.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 

@@ -1,6 +1,6 @@
 import { lessonNumbers } from "virtual:course-index";
 import { useEffect } from "react";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { courseHref } from "./course-links.ts";
 import { startLearning, useLearning } from "./progress.ts";
 import { useCourseTexts } from "./use-course-texts.ts";

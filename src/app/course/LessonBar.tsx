@@ -1,13 +1,13 @@
 import { useCallback, useMemo, useRef } from "react";
 import { blocksOfLines } from "../../course/start-of.ts";
-import { clockText } from "../lathe/clock-text.ts";
+import { clockText } from "../base/clock-text.ts";
 import { useLengths } from "../lengths.ts";
 import { GlyphButton } from "../lathe/GlyphButton.tsx";
 import type { PlaybackStore } from "../lathe/playback-store.ts";
 import { runningText } from "../lathe/running.ts";
 import { useEachReading, usePlayback } from "../lathe/use-playback.ts";
 import type { Run } from "../../program/run-types.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 import type { PlayedStretch } from "./use-stretch.ts";
 

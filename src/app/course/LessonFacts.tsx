@@ -7,8 +7,8 @@ import { useLengths } from "../lengths.ts";
 import { LoadScale } from "../load/LoadScale.tsx";
 import { useLoadDrawing } from "../load/use-drawing.ts";
 import { loadPlaceText, loadValue, useGreatest, useLoadTexts, useMeasuredRun, type Told } from "../load/use-load.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 /** What colours tell: their scale, and the greatest value with its place. */
 function ToldByColour({ of, run }: { readonly of: Told; readonly run: Outcome["run"] }) {

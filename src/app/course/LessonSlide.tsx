@@ -5,8 +5,8 @@ import { cycleByNumber, type ParamTextId } from "../../cycles/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { ChoiceText } from "../../i18n/param-text.ts";
 import { unitOf } from "../dialog/write-value.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 type Slide = NonNullable<Lesson["pages"][number]["slide"]>;
 

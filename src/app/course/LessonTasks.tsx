@@ -1,7 +1,7 @@
 import { useRef } from "react";
 import type { Lesson } from "../../course/lesson.ts";
 import { progressOfTask, stateOfTask } from "../../course/progress.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { fetchTask, type LessonEntry } from "./content.ts";
 import { openToTry } from "./open-example.ts";
 import { useLearning } from "./progress.ts";

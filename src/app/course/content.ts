@@ -2,8 +2,8 @@ import { courseIndexOf } from "virtual:course-index";
 import { lessonSchema, type Lesson } from "../../course/lesson.ts";
 import { taskSchema, type Task } from "../../course/task.ts";
 import type { Language } from "../../i18n/languages.ts";
-import { untilHere } from "../parts.ts";
-import { laterTexts } from "../settings/later-texts.ts";
+import { untilHere } from "../base/parts.ts";
+import { laterTexts } from "../base/settings/later-texts.ts";
 
 /** A task as the list of lessons knows it. */
 export interface TaskEntry {

@@ -3,8 +3,8 @@ import type { Outcome } from "../engine/outcome.ts";
 import { findingsOf } from "../findings/findings.ts";
 import { issueText } from "../issue-text.ts";
 import { lookAtOf, type LookAt } from "../lathe/places.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 /** What the picture of a lesson marks: what was found in the run of its program, and what stays in the part. */
 export function useLessonPlaces(outcome: Outcome): readonly LookAt[] {

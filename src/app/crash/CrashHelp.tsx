@@ -1,9 +1,9 @@
 import { useState } from "react";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { downloadWorks } from "../saving/rescue.ts";
 import { useEditor } from "../store.ts";
 import { SaveEverything } from "../works/SaveEverything.tsx";
-import { useDeviceTexts } from "../works/use-device-texts.ts";
+import { useDeviceTexts } from "../base/use-device-texts.ts";
 import { ReportList } from "./ReportList.tsx";
 import "../works/works.css";
 

@@ -1,8 +1,8 @@
 import { useState } from "react";
 import { printedText } from "../printed.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../store.ts";
-import { useDeviceTexts } from "../works/use-device-texts.ts";
+import { useDeviceTexts } from "../base/use-device-texts.ts";
 import { forgetReports, reportText, useReports } from "./reports.ts";
 
 /** The text of the open work; null where there is none that can be printed. */

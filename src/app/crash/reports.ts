@@ -1,7 +1,7 @@
 import { create } from "zustand";
 import { parseAddress } from "../address/address.ts";
-import { time } from "../clock.ts";
-import { isMissing } from "../parts.ts";
+import { time } from "../base/clock.ts";
+import { isMissing } from "../base/parts.ts";
 
 /** A fault of the page, as it is kept on this device. Nothing of it goes anywhere by itself, and no program is in it. */
 export interface FaultReport {

@@ -3,7 +3,7 @@ import { afterEach, beforeEach, expect, test } from "vitest";
 import { parse } from "../../nc/parse.ts";
 import { readingOfBlock } from "../editor/block-prompts.ts";
 import { openPrompt } from "../place.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { CycleDialog } from "./CycleDialog.tsx";
 
 const program = parse("0 BEGIN PGM A MM\n1 M136\n2 CYCL DEF 800 Q532=+750\n3 CYCL DEF 801\n4 END PGM A MM\n");

@@ -1,8 +1,8 @@
 import { draftOf } from "../edits.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { openPrompt, usePlace } from "../place.ts";
 import type { JobReading } from "../reading.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 /** From the contour back to the prompts: to the one that was left, or past the one that asked for the contour. */
 export function BackToPrompts({ read: { job, cycle } }: { readonly read: JobReading }) {

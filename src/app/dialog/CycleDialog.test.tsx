@@ -12,7 +12,7 @@ import { useOutcome } from "../engine/outcome.ts";
 import { openPrompt } from "../place.ts";
 import { printedText } from "../printed.ts";
 import { useReading } from "../reading.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { redo, undo } from "../steps.ts";
 import { begin, useEditor } from "../store.ts";
 import { CycleDialog } from "./CycleDialog.tsx";

@@ -3,10 +3,10 @@ import { isError } from "../findings/entry.ts";
 import { useVerdict } from "../findings/use-findings.ts";
 import { toneOf } from "../findings/verdict.ts";
 import { VerdictText } from "../findings/VerdictText.tsx";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { mayTakeKeyboard, showSection } from "../place.ts";
 import { CopyButton } from "../program/CopyButton.tsx";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
 import { commandsOf, openSuggestions, type PromptSession } from "./session.ts";
 

@@ -1,12 +1,12 @@
 import { useContext } from "react";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { valueInProgram } from "../../program/cycle-values.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { goToField } from "../place.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import { CycleInWork, useIssueText } from "../issue-text.ts";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { writeTyped } from "./write-value.ts";
 
 interface Props {

@@ -1,5 +1,5 @@
 import type { ReactNode } from "react";
-import { useMedia } from "../use-media.ts";
+import { useMedia } from "../base/use-media.ts";
 import { holdHelpDock, useHelpDock } from "./help-dock.ts";
 
 /**

@@ -4,10 +4,10 @@ import { exampleJob } from "../../program/job.ts";
 import { givenOf } from "../engine/given.ts";
 import { HelpPicture } from "../help/HelpPicture.tsx";
 import type { Numbers } from "../../view/help/lettering.ts";
-import { useLater } from "../Late.tsx";
+import { useLater } from "../base/Late.tsx";
 import type { JobReading } from "../reading.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 /** In place of a picture: what a cycle does where it stands. */
 function ActingWords({ cycle }: { readonly cycle: number }) {

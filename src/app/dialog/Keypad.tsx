@@ -1,8 +1,8 @@
 import type { RefObject } from "react";
 import { decimalSign } from "../../i18n/number.ts";
-import { Icon } from "../Icon.tsx";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { padButton, writingKeys, type PadKey } from "./KeyGrid.tsx";
 import { toggleIncremental, type EntryState } from "./number-entry.ts";
 import { commandsOf, type Prompt, type PromptSession } from "./session.ts";

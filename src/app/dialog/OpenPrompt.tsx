@@ -1,7 +1,7 @@
 import { Suspense, useId, useLayoutEffect, useRef, useState, type RefObject } from "react";
 import { isError, isOpen, type FindingEntry } from "../findings/entry.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
 import { isSetupPlace } from "./setup-prompts.ts";
 import { MoreLater } from "../guide/MoreLater.tsx";

@@ -1,6 +1,6 @@
 import { useLayoutEffect, useRef, type ReactNode } from "react";
 import { createPortal } from "react-dom";
-import { useFingers } from "../use-media.ts";
+import { useFingers } from "../base/use-media.ts";
 import { fillHelpDock, useHelpDock } from "./help-dock.ts";
 import { Keypad } from "./Keypad.tsx";
 import { OpenPrompt } from "./OpenPrompt.tsx";

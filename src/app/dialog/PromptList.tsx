@@ -1,7 +1,7 @@
 import { useEffect, useRef } from "react";
 import { isOpen } from "../findings/entry.ts";
-import { Icon } from "../Icon.tsx";
-import { useTexts } from "../settings/use-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { commandsOf, type Prompt, type PromptGroup, type PromptSession } from "./session.ts";
 
 /** A group of the set-up as one row. */

@@ -9,7 +9,7 @@ import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { forgetOutcome, takeOutcome } from "../engine/outcome.ts";
 import { printedText } from "../printed.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { ThreadPicture } from "./ThreadPicture.tsx";
 
 const cycle = cycleByNumber(831);

@@ -4,7 +4,7 @@ import { useOutcome } from "../engine/outcome.ts";
 import type { Operation } from "../../program/run-types.ts";
 import { useShownBeside } from "../files/shown-file.ts";
 import { isDefinedIn } from "../files/shown-findings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 /** Drawing area, pixels. */
 const SIZE = { width: 150, height: 62 } as const;

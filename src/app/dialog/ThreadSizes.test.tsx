@@ -6,7 +6,7 @@ import { exampleJob } from "../../program/job.ts";
 import { draftOf } from "../edits.ts";
 import { openPrompt } from "../place.ts";
 import { useReading } from "../reading.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { undo } from "../steps.ts";
 import { begin, useEditor } from "../store.ts";
 import { CycleDialog } from "./CycleDialog.tsx";

@@ -1,8 +1,8 @@
 import { useId, useRef, useState } from "react";
 import { sizesNamed, type ThreadSize } from "../../cycles/thread-sizes.ts";
 import { formatNumber } from "../../i18n/number.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { ThreadPicture } from "./ThreadPicture.tsx";
 import "./thread-sizes.css";
 

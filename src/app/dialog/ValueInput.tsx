@@ -1,6 +1,6 @@
 import { useEffectEvent, useImperativeHandle, useLayoutEffect, useRef, type RefObject } from "react";
-import { useSettings } from "../settings/settings.ts";
-import { useTyping } from "../typing.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTyping } from "../base/typing.ts";
 import type { EntryState } from "./number-entry.ts";
 import { commandsOf, type Prompt, type PromptSession } from "./session.ts";
 import { useNumberEntry } from "./use-number-entry.ts";

@@ -3,9 +3,9 @@ import type { Statement } from "../../nc/statement.ts";
 import { sumOf } from "../../program/field.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
-import { Icon } from "../Icon.tsx";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
 import type { WordField } from "./field.ts";
 

@@ -1,6 +1,6 @@
 import { act, cleanup, render, screen } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test } from "vitest";
-import { changeLanguage } from "../settings/settings.ts";
+import { changeLanguage } from "../base/settings/settings.ts";
 import { begin, useEditor } from "../store.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
 import { closeSession, openSession } from "./session.ts";

@@ -4,8 +4,8 @@ import { canSaveFiles } from "../files/file-handle.ts";
 import { shownFile } from "../files/shown-file.ts";
 import type { Obstacle } from "../files/SaveProblem.tsx";
 import type { SaveHow } from "../files/save-back.ts";
-import { lazyPart, untilHere } from "../parts.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { lazyPart, untilHere } from "../base/parts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { handOverText } from "./session.ts";
 

@@ -1,5 +1,5 @@
 import { useOutcome } from "../engine/outcome.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { changeProgram, useEditor } from "../store.ts";
 import "./work-files.css";
 

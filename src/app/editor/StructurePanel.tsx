@@ -2,7 +2,7 @@ import { useEffect, useMemo, useRef, useState } from "react";
 import { useOutcome } from "../engine/outcome.ts";
 import { KEEPS_KEYBOARD } from "../place.ts";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { chooseOpenBlock } from "./choose-block.ts";
 import { partsOf, type Part, type PartFilter } from "./program-parts.ts";
 import { openBlock, useSession } from "./session.ts";

@@ -16,7 +16,7 @@ import { StripStatus } from "../findings/StripStatus.tsx";
 import { useVerdict } from "../findings/use-findings.ts";
 import { VerdictText } from "../findings/VerdictText.tsx";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { useSession } from "./session.ts";
 
 /** How many tool calls of a text change the tool. */

@@ -13,7 +13,7 @@ import { problemsOfBlock, readingOfBlock, withPrompt } from "./block-prompts.ts"
 import { editProgram, useSession, type Session } from "./session.ts";
 import { useShownBeside } from "../files/shown-file.ts";
 import { findingsShown } from "../files/shown-findings.ts";
-import { heldWhileTyping } from "../typing.ts";
+import { heldWhileTyping } from "../base/typing.ts";
 
 /** What is typed into the prompts of the open block; the text has it as soon as it can be read. */
 interface Typed {

@@ -20,7 +20,7 @@ import { lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
 import { blockRange, cursorBlock, isRead, parameterAt, parameterOffset, readFurther, readingField } from "./reading-field.ts";
 import { createTextView, type TextUpdate, type TextView } from "./text-view.ts";
 import { onShown, shownFile, showFile } from "../files/shown-file.ts";
-import { heldWhileTyping } from "../typing.ts";
+import { heldWhileTyping } from "../base/typing.ts";
 
 /** What the panels beside the text show: the blocks, and which one is open. */
 export interface Session {

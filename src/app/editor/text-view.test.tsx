@@ -1,6 +1,6 @@
 import { EditorState, type Transaction } from "@codemirror/state";
 import { afterEach, expect, test, vi } from "vitest";
-import { whileTyping } from "../typing.ts";
+import { whileTyping } from "../base/typing.ts";
 import { createTextView, type TextUpdate, type TextView } from "./text-view.ts";
 
 const TEXT = "0 BEGIN PGM AWKWARD MM\n1 L Z+17.3 FMAX\n2 END PGM AWKWARD MM\n";

@@ -1,6 +1,6 @@
 import type { EditorState, Transaction } from "@codemirror/state";
 import { EditorView, type ViewUpdate } from "@codemirror/view";
-import { behindTyping } from "../typing.ts";
+import { behindTyping } from "../base/typing.ts";
 
 /** What has become of a text, in its editor or on the way there. */
 export type TextUpdate = Pick<ViewUpdate, "state" | "startState" | "transactions" | "docChanged" | "selectionSet">;

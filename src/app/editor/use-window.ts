@@ -1,4 +1,4 @@
-import { usePageUnit } from "../unit.ts";
+import { usePageUnit } from "../base/unit.ts";
 import { useCallback, useEffect, useLayoutEffect, useRef, useState, type RefObject } from "react";
 
 /** Height of one row of the list in units of the page; the same stands in `editor.css`. */

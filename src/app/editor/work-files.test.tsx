@@ -9,7 +9,7 @@ import { run } from "../../program/run.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { forgetOutcome, takeOutcome } from "../engine/outcome.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../store.ts";
 import { filesOf } from "../work.ts";
 import { WorkFiles } from "./WorkFiles.tsx";

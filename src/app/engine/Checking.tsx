@@ -1,4 +1,4 @@
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { useOutcome } from "./outcome.ts";
 import { useLong } from "./use-long.ts";
 import "./checking.css";

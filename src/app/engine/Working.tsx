@@ -1,4 +1,4 @@
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { calculateAgain, cancelCalculation } from "./client.ts";
 import { STAGES, useOutcome } from "./outcome.ts";
 import { useLong } from "./use-long.ts";

@@ -1,5 +1,5 @@
-import { untilHere } from "../parts.ts";
-import { atRest } from "../rest.ts";
+import { untilHere } from "../base/parts.ts";
+import { atRest } from "../base/rest.ts";
 import { useEditor } from "../store.ts";
 
 /**

@@ -1,6 +1,6 @@
 import { chooseFinding } from "../findings/chosen.ts";
 import { clearSelection } from "../selected.ts";
-import { heldWhileTyping } from "../typing.ts";
+import { heldWhileTyping } from "../base/typing.ts";
 import { filesOf, type ProgramWork, type WorkFile } from "../work.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";

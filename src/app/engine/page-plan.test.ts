@@ -5,8 +5,8 @@ import type { Request } from "./request.ts";
 
 /** What the next run takes, ms, and whether it comes to nothing. */
 const run = vi.hoisted(() => ({ takes: 0, fails: false, now: 0, rehearsed: [] as string[], bits: 0, rests: true }));
-vi.mock("../clock.ts", () => ({ stopwatch: () => run.now }));
-vi.mock("../rest.ts", () => ({
+vi.mock("../base/clock.ts", () => ({ stopwatch: () => run.now }));
+vi.mock("../base/rest.ts", () => ({
   atRest: (begin: () => void) => {
     if (run.rests) begin();
     return () => undefined;

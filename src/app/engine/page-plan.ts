@@ -1,6 +1,6 @@
-import { stopwatch } from "../clock.ts";
-import { untilHere } from "../parts.ts";
-import { atRest } from "../rest.ts";
+import { stopwatch } from "../base/clock.ts";
+import { untilHere } from "../base/parts.ts";
+import { atRest } from "../base/rest.ts";
 import type { Planned } from "./outcome.ts";
 import type { planner } from "./plan.ts";
 import type { Request } from "./request.ts";

@@ -3,7 +3,7 @@ import { playerOf, sameBlank } from "../../sim/stock.ts";
 import type { Patch } from "../../view/material/pen.ts";
 import { paintShop, stockPainter, type PaintedRun, type StockLook, type StockPainter } from "../../view/material/stock-painter.ts";
 import { positionAt, trackOf, type PlayedTrack } from "../../view/playback.ts";
-import { dayMoment, stopwatch } from "../clock.ts";
+import { dayMoment, stopwatch } from "../base/clock.ts";
 import { surfacesOfRun } from "../lathe/moving.ts";
 import type { Outcome } from "./outcome.ts";
 

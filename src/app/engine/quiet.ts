@@ -1,4 +1,4 @@
-import { stopwatch } from "../clock.ts";
+import { stopwatch } from "../base/clock.ts";
 
 let until = 0;
 

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { isMissing } from "../parts.ts";
+import { isMissing } from "../base/parts.ts";
 import { askAgain, askWorker, stopWorker, WorkerEnded } from "./worker-life.ts";
 
 interface Answering {

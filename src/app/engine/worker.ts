@@ -3,7 +3,7 @@ import { z } from "zod/mini";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { MilledLook } from "../../view/approach/milled-painter.ts";
 import type { StockLook } from "../../view/material/stock-painter.ts";
-import { stopwatch } from "../clock.ts";
+import { stopwatch } from "../base/clock.ts";
 import type { advice } from "./advice.ts";
 import type { BodiesGiven, BodiesWanted } from "./bodies.ts";
 import { engine, makersAgain } from "./engine.ts";

@@ -1,8 +1,8 @@
 import { useRef } from "react";
 import { filesOf, type ProgramWork } from "../work.ts";
 import { endChoice, type ProgramChoice } from "./choice.ts";
-import { useFilesTexts } from "./use-files-texts.ts";
-import { useModal } from "../use-modal.ts";
+import { useFilesTexts } from "../base/use-files-texts.ts";
+import { useModal } from "../base/use-modal.ts";
 
 /** Asks which of several programs are opened. Closing it opens none. */
 export function ChooseProgram({ works, skipped, isCut, open, together }: ProgramChoice) {

@@ -1,5 +1,5 @@
 import { useLayoutEffect, useState } from "react";
-import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { openDropped } from "./open-program.ts";
 
 const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;

@@ -1,6 +1,6 @@
-import { untilHere } from "../parts.ts";
+import { untilHere } from "../base/parts.ts";
 import { notice } from "../saving/keep.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import type { WorkFile } from "../work.ts";
 
 /** Whether a text may be DIN/ISO: its reader, which knows, is fetched only then. */

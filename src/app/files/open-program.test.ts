@@ -9,7 +9,7 @@ import { begin, changeProgram, useEditor } from "../store.ts";
 import { textsOf } from "../work.ts";
 import { endChoice, useChoice } from "./choice.ts";
 import { plainFiles } from "./file-handle.ts";
-import { LARGEST_PROGRAM } from "./limits.ts";
+import { LARGEST_PROGRAM } from "../base/limits.ts";
 import { missingFiles } from "./missing-files.ts";
 import { addFiles, openDropped, openFiles } from "./open-program.ts";
 import { shownBeside, shownFile, showFile } from "./shown-file.ts";

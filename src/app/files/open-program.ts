@@ -2,17 +2,17 @@ import { decode } from "../editor/encoding.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import type { HandedOn } from "../../program/job.ts";
 import { fileKey } from "../../program/program-files.ts";
-import { untilHere } from "../parts.ts";
+import { untilHere } from "../base/parts.ts";
 import { notice, startWork } from "../saving/keep.ts";
 import { changeProgram, useEditor } from "../store.ts";
 import { bringIn, isArchiveName } from "../works/bring-in-place.ts";
 import { broughtBy, textsOf, withFile, type ProgramWork, type WorkFile } from "../work.ts";
-import { fileNameOf } from "./file-name.ts";
+import { fileNameOf } from "../base/file-name.ts";
 import { asKlartext, mayBeIso } from "./iso-file.ts";
 import { askWhich, useChoice } from "./choice.ts";
 import type { FolderContent } from "./folder.ts";
 import { handleOf, plainFiles, type Chosen, type FileHandle } from "./file-handle.ts";
-import { LARGEST_PROGRAM } from "./limits.ts";
+import { LARGEST_PROGRAM } from "../base/limits.ts";
 import { missingFiles } from "./missing-files.ts";
 
 /** Opens a program as work of its own; what was open stays on the device. */

@@ -1,5 +1,5 @@
 import { isShareLink } from "../address/address.ts";
-import { untilHere } from "../parts.ts";
+import { untilHere } from "../base/parts.ts";
 import { notice } from "../saving/keep.ts";
 
 const PROBLEMS = { tooLarge: "linkTooLarge", newer: "linkNewer", damaged: "linkDamaged" } as const;

@@ -1,8 +1,8 @@
 import { useEffect, useRef } from "react";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { issueText, placeInFile } from "../issue-text.ts";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { chooseFinding, useChosen } from "./chosen.ts";
 import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";

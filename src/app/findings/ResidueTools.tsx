@@ -4,7 +4,7 @@ import type { Remedy } from "../../report/remedies.ts";
 import { remediesOf } from "../engine/tool-questions.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { regionOfResidual } from "../which/residual-region.ts";
 import { WhichButton } from "../which/WhichButton.tsx";
 import type { FindingEntry } from "./entry.ts";

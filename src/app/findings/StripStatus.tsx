@@ -1,6 +1,6 @@
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { showSection } from "../place.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { useListed, useVerdict } from "./use-findings.ts";
 
 /** How much was found, with the way to the list; what is only not done yet is said calmly. */

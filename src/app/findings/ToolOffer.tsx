@@ -3,7 +3,7 @@ import type { ToolFit } from "../../program/which-tool.ts";
 import { BY_TOOL } from "../../report/offered-tool.ts";
 import { fitsOfCall } from "../engine/tool-questions.ts";
 import { useOutcome } from "../engine/outcome.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
 

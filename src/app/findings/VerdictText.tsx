@@ -1,6 +1,6 @@
-import { Icon, type IconName } from "../Icon.tsx";
+import { Icon, type IconName } from "../base/Icon.tsx";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { toneOf, type ShownVerdict } from "./verdict.ts";
 import { verdictReasons, verdictTitle } from "./verdict-words.ts";
 import "./findings.css";

@@ -2,7 +2,7 @@ import type { AdviceTexts } from "../../i18n/en/advice.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { SPINDLE, type Advice } from "../../report/advice/advise.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import { keepFocus } from "./keep-focus.ts";
 import { takeValue, useTaking } from "./take-value.ts";
 import { useAdviceTexts } from "./use-advice.ts";

@@ -1,5 +1,5 @@
 import { cycleByNumber } from "../../cycles/index.ts";
-import { changeSettings, useSettings } from "../settings/settings.ts";
+import { changeSettings, useSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../store.ts";
 import { AdviceItems } from "./AdviceItems.tsx";
 import { CuttingDataTable } from "./CuttingDataTable.tsx";

@@ -2,9 +2,9 @@ import { useRef, useState } from "react";
 import { formatNumber } from "../../i18n/number.ts";
 import { ISO_GROUPS, readCuttingTable, usualTable, writeCuttingTable, type CutMaterial,
   type CuttingTable } from "../../program/cutting-table.ts";
-import { downloadText } from "../files/download.ts";
-import { Icon } from "../Icon.tsx";
-import { changeSettings, useSettings } from "../settings/settings.ts";
+import { downloadText } from "../base/download.ts";
+import { Icon } from "../base/Icon.tsx";
+import { changeSettings, useSettings } from "../base/settings/settings.ts";
 import { useAdviceTexts, useCuttingTable } from "./use-advice.ts";
 
 const NUMBERS = ["roughSpeed", "roughFeed", "finishSpeed", "finishFeed", "kc11", "mc"] as const;

@@ -1,7 +1,7 @@
 import type { Cycle } from "../../cycles/define.ts";
 import { isRecalled } from "../../cycles/params.ts";
 import type { CycleNumber, ParamTextId } from "../../cycles/index.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { Said, SaidList, SaidOnPage } from "./Said.tsx";
 import { showGuide } from "./guide-place.ts";
 import { StepPlayer } from "./StepPlayer.tsx";

@@ -1,5 +1,5 @@
 import { setMaterial } from "../edits.ts";
-import { changeSettings, useSettings } from "../settings/settings.ts";
+import { changeSettings, useSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../store.ts";
 import { useAdviceTexts, useCuttingTable, useMaterialOfWork } from "./use-advice.ts";
 

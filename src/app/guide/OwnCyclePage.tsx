@@ -1,8 +1,8 @@
 import { formatNumber } from "../../i18n/number.ts";
 import { OWN_DECIMALS, type OwnCycle } from "../../program/own-cycle.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTableTexts } from "../settings/use-table-texts.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { useGuideTexts } from "./use-guide-texts.ts";
 
 /** The page of a cycle that the operator has described, one of its parameters first: what is known of it, and that nobody here runs it. */

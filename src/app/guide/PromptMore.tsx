@@ -1,6 +1,6 @@
 import { cycleByNumber } from "../../cycles/index.ts";
-import { Icon } from "../Icon.tsx";
-import { useSettings } from "../settings/settings.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useSettings } from "../base/settings/settings.ts";
 import { showGuide, type GuidePath } from "./guide-place.ts";
 import { useAdviceOn, useAdviceTextsSoon } from "./use-advice.ts";
 import { useGuideTextsSoon } from "./use-guide-texts.ts";

@@ -1,7 +1,7 @@
 import type { Cycle } from "../../cycles/define.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { SPINDLE } from "../../report/advice/advise.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import { startingValues } from "./starting.ts";
 import { StartingRows } from "./StartingRows.tsx";
 import { useAdviceTexts, useMaterialOfWork } from "./use-advice.ts";

@@ -1,6 +1,6 @@
 import { formatNumber } from "../../i18n/number.ts";
 import { SPINDLE } from "../../report/advice/advise.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import type { StartingValue } from "./starting.ts";
 import { takeValue, useTaking } from "./take-value.ts";
 import { useAdviceTexts } from "./use-advice.ts";

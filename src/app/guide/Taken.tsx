@@ -1,7 +1,7 @@
 import { useEffect } from "react";
 import { formatNumber } from "../../i18n/number.ts";
-import { Icon } from "../Icon.tsx";
-import { useSettings } from "../settings/settings.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useSettings } from "../base/settings/settings.ts";
 import { undo } from "../steps.ts";
 import { keepFocus } from "./keep-focus.ts";
 import { forgetTaken, useTaken } from "./taken.ts";

@@ -11,7 +11,7 @@ import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { forgetOutcome, takeOutcome } from "../engine/outcome.ts";
 import { printedText } from "../printed.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../store.ts";
 import { useOpenCall } from "./guide-place.ts";
 import { guideSources } from "./guide-source.ts";

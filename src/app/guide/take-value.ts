@@ -2,7 +2,7 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import { SPINDLE } from "../../report/advice/advise.ts";
 import { setPrompt, setSpindle } from "../edits.ts";
 import type { BlockKind } from "../editor/block-kind.ts";
-import { untilHere } from "../parts.ts";
+import { untilHere } from "../base/parts.ts";
 import { closeStep } from "../steps.ts";
 import { edit, useEditor } from "../store.ts";
 import type { SizedWord } from "./form-values.ts";

@@ -8,8 +8,8 @@ import type { Operation } from "../../program/run-types.ts";
 import { advise, type Advice, type Advised } from "../../report/advice/advise.ts";
 import { readCuttingTable, usualTable, type CutMaterial, type CuttingTable } from "../../program/cutting-table.ts";
 import { useOutcome } from "../engine/outcome.ts";
-import { laterTexts } from "../settings/later-texts.ts";
-import { useSettings } from "../settings/settings.ts";
+import { laterTexts } from "../base/settings/later-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../store.ts";
 import { useSpeaksOf } from "./open-call.ts";
 

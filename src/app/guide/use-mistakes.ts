@@ -1,7 +1,7 @@
 import type { ParamTextId } from "../../cycles/index.ts";
 import type { Param } from "../../cycles/params.ts";
 import { loadMistakes } from "../../i18n/load-mistakes.ts";
-import { laterTexts } from "../settings/later-texts.ts";
+import { laterTexts } from "../base/settings/later-texts.ts";
 
 const { useThem } = laterTexts(loadMistakes);
 

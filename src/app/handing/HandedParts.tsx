@@ -1,6 +1,6 @@
 import { Suspense } from "react";
-import { lazyPart } from "../parts.ts";
-import { useSettings } from "../settings/settings.ts";
+import { lazyPart } from "../base/parts.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import { handedOn, useEditor } from "../store.ts";
 import { useTaughtShown } from "../course/teach/taught-shown.ts";
 import { useIncoming } from "./incoming.ts";

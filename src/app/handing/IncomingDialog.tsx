@@ -1,9 +1,9 @@
 import { useMemo } from "react";
 import { cellOf } from "../../program/tool-entry.ts";
 import { toolsBeside } from "../../program/tool-difference.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import { useTools } from "../tools/tool-store.ts";
-import { HandingDialog } from "./HandingDialog.tsx";
+import { HandingDialog } from "../base/HandingDialog.tsx";
 import { leaveIncoming, takeIncoming, useIncoming, type Incoming } from "./incoming.ts";
 import { inMyTable } from "./in-my-table.ts";
 import { useHandedTexts } from "./use-handed-texts.ts";

@@ -1,13 +1,13 @@
 import { useState } from "react";
 import type { HandedTexts } from "../../i18n/en/handed.ts";
 import type { Control } from "../../program/plane-types.ts";
-import { Icon } from "../Icon.tsx";
-import { useSettings } from "../settings/settings.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useSettings } from "../base/settings/settings.ts";
 import { handedOn, useEditor } from "../store.ts";
 import { nameOfMachine } from "./machine-name.ts";
 import { useHandedTexts } from "./use-handed-texts.ts";
 import { WorkTools } from "./WorkTools.tsx";
-import "./handing.css";
+import "../base/handing.css";
 
 /** The one thing that is most to be known of what a work runs with. */
 function saidOf(words: HandedTexts, tools: number | undefined, control: Control | undefined, machine = ""): string {

@@ -3,8 +3,8 @@ import type { HandedTexts } from "../../i18n/en/handed.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { parse } from "../../nc/parse.ts";
 import { printedText } from "../printed.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { nameOfMachine } from "./machine-name.ts";
 import { filesOf, isProgram, textsOf, type Work } from "../work.ts";
 

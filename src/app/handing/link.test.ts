@@ -6,7 +6,7 @@ import { CLAMPING_KINDS } from "../../program/clamping/words.ts";
 import { exampleJob } from "../../program/job.ts";
 import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS, type CellName } from "../../program/tool-columns.ts";
 import { shippedList } from "../../program/tool-list.ts";
-import { LARGEST_PROGRAM } from "../files/limits.ts";
+import { LARGEST_PROGRAM } from "../base/limits.ts";
 import { plainWork } from "../saving/save-file.ts";
 import type { ProgramWork, Work } from "../work.ts";
 import { LINK_MARK, linkOf, readLink } from "./link.ts";

@@ -1,7 +1,7 @@
 import { deflateSync, strToU8 } from "fflate";
-import { unpackedText } from "../editor/unpack.ts";
-import { fileNameOf } from "../files/file-name.ts";
-import { LARGEST_PROGRAM } from "../files/limits.ts";
+import { unpackedText } from "../base/unpack.ts";
+import { fileNameOf } from "../base/file-name.ts";
+import { LARGEST_PROGRAM } from "../base/limits.ts";
 import { plainWork } from "../saving/save-file.ts";
 import type { Work } from "../work.ts";
 import { COMMON } from "./words-of-links.ts";

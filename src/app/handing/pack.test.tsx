@@ -7,7 +7,7 @@ import { shippedList } from "../../program/tool-list.ts";
 import { reported } from "../engine/reported.ts";
 import { openText } from "../files/open-program.ts";
 import { readArchive } from "../saving/archive.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { begin, handedOn, useEditor } from "../store.ts";
 import { redo, undo } from "../steps.ts";
 import { editTools, takeTools, useTools } from "../tools/tool-store.ts";

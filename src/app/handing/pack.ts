@@ -1,5 +1,5 @@
 import { rowsCalled } from "../../program/tool-list.ts";
-import { time } from "../clock.ts";
+import { time } from "../base/clock.ts";
 import { draftOf } from "../edits.ts";
 import { reportOf } from "../engine/beside.ts";
 import { fileOfJob } from "../printed.ts";

@@ -4,7 +4,7 @@ import { catalogue } from "../../cycles/index.ts";
 import type { Cycle } from "../../cycles/define.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { Numbers } from "../../view/help/lettering.ts";
-import { fetchTexts } from "../settings/loaded-texts.ts";
+import { fetchTexts } from "../base/settings/loaded-texts.ts";
 import { HelpPicture } from "./HelpPicture.tsx";
 
 beforeAll(async () => {

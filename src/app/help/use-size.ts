@@ -1,6 +1,6 @@
 import { useEffect, useState, type RefObject } from "react";
 import type { Size } from "../../view/camera.ts";
-import { usePageUnit } from "../unit.ts";
+import { usePageUnit } from "../base/unit.ts";
 
 /**
  * The size of an element in the units that drawings are lettered for (CSS pixels over the page's unit), kept up to date; a guess

@@ -2,8 +2,8 @@ import { useEffect, useLayoutEffect, useRef } from "react";
 import { createPortal } from "react-dom";
 import { decimalSign } from "../../i18n/number.ts";
 import { padButton, writingKeys, type PadKey } from "../dialog/KeyGrid.tsx";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { enterField, fieldEntry, scopeOf, stepField, writeEntry } from "./field-typing.ts";
 import "./keypad.css";
 

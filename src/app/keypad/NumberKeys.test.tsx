@@ -1,7 +1,7 @@
 import { cleanup, fireEvent, render, screen, waitFor } from "@testing-library/react";
 import { useState } from "react";
 import { afterEach, beforeAll, expect, test } from "vitest";
-import { fetchTexts } from "../settings/loaded-texts.ts";
+import { fetchTexts } from "../base/settings/loaded-texts.ts";
 import { enterField, fieldEntry, scopeOf, stepField, writeEntry } from "./field-typing.ts";
 import { NumberKeys } from "./NumberKeys.tsx";
 

@@ -1,6 +1,6 @@
 import { Suspense, useEffect, useRef, useState } from "react";
-import { lazyPart } from "../parts.ts";
-import { holds } from "../use-media.ts";
+import { lazyPart } from "../base/parts.ts";
+import { holds } from "../base/use-media.ts";
 import { numberFieldOf } from "./field-typing.ts";
 
 const FieldKeypad = lazyPart(async () => ({ default: (await import("./FieldKeypad.tsx")).FieldKeypad }));

@@ -4,8 +4,8 @@ import { formatNumber } from "../../i18n/number.ts";
 import { toPlace, toScreen, type Camera, type Size } from "../../view/camera.ts";
 import { ticks } from "../../view/ticks.ts";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
-import { usePageUnit } from "../unit.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
+import { usePageUnit } from "../base/unit.ts";
 import { useCamera } from "./use-camera.ts";
 import type { Viewport } from "./viewport.ts";
 

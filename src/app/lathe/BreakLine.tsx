@@ -2,7 +2,7 @@ import { useEffect, useRef } from "react";
 import type { Pt } from "../../kernel/point.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { breakData, breakOf } from "../../view/cutting-tool/break-line.ts";
-import { pageUnit } from "../unit.ts";
+import { pageUnit } from "../base/unit.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
 import type { Carrying } from "./carry.ts";
 import type { Viewport } from "./viewport.ts";

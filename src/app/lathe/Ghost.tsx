@@ -1,10 +1,10 @@
 import { useEffect, useRef, useState } from "react";
 import { pathStretches, wholePath } from "../../view/passes.ts";
 import { PATH_ROLES, type Scene, type Shape } from "../../view/scene.ts";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../base/clock.ts";
 import { useCompared } from "../effect/before.ts";
-import { reducedMotion } from "../settings/appearance.ts";
-import { useSettings } from "../settings/settings.ts";
+import { reducedMotion } from "../base/settings/appearance.ts";
+import { useSettings } from "../base/settings/settings.ts";
 
 /** How long the path stays to be seen that a change has replaced, ms. */
 const STAYS = 2000;

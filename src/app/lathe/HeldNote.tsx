@@ -1,7 +1,7 @@
 import { at } from "../../kernel/point.ts";
 import { toScreen } from "../../view/camera.ts";
 import type { HeldPlane } from "../../view/held-plane.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { SCALE_LEFT } from "./Axes.tsx";
 import { useCamera } from "./use-camera.ts";
 import type { Viewport } from "./viewport.ts";

@@ -5,7 +5,7 @@ import { CHORD } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import type { Bounds } from "../../view/camera.ts";
 import { boundsOf, common, grownBounds, joined } from "../../view/bounds.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { DrawnTool } from "./DrawnTool.tsx";
 import "./lathe.css";
 

@@ -1,6 +1,6 @@
 import { memo } from "react";
 import { PATH_ROLES, type Shape } from "../../view/scene.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 /** What lines, holder and clamping stand for: only those that are there. */
 export const Legend = memo(function Legend({ shapes, holder, clamping }: {

@@ -1,6 +1,6 @@
 import { useEffect, useRef } from "react";
 import { followScene, type SheetMemory, type SheetScene } from "./follow-scene.ts";
-import { useTheme } from "./use-theme-colours.ts";
+import { useTheme } from "../base/use-theme-colours.ts";
 
 /**
  * The chuck on a ground that is painted for another look at it only, and the work on a canvas no larger than the blank. With each picture

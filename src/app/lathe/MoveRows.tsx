@@ -1,7 +1,7 @@
 import { memo, useCallback, useState } from "react";
 import type { Run } from "../../program/run-types.ts";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { kindText, runningFeed, phaseText, placeText } from "./running.ts";
 import { useReadPlayback } from "./use-playback.ts";

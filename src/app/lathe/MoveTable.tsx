@@ -1,7 +1,7 @@
 import { Suspense, useState } from "react";
 import type { Run } from "../../program/run-types.ts";
-import { lazyPart } from "../parts.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { lazyPart } from "../base/parts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
 /** Fetched when it is first unfolded. */

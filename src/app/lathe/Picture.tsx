@@ -6,7 +6,7 @@ import { outsideData } from "../../view/material/outside.ts";
 import { ringData } from "../../view/path.ts";
 import type { PathStretch } from "../../view/passes.ts";
 import type { Scene, Shape } from "../../view/scene.ts";
-import type { SectionView } from "../settings/settings.ts";
+import type { SectionView } from "../base/settings/settings.ts";
 import { NewestContour, NewestPath } from "./Ahead.tsx";
 import { LatheAxes } from "./Axes.tsx";
 import { MaterialSheet } from "./MaterialSheet.tsx";

@@ -1,6 +1,6 @@
 import { badgePlaces } from "../../view/badge-places.ts";
 import type { Place } from "../../view/camera.ts";
-import { holds } from "../use-media.ts";
+import { holds } from "../base/use-media.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
 import type { LookAt } from "./places.ts";
 import { useSeeing, type Seeing } from "./seeing.ts";

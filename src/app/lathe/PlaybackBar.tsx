@@ -1,8 +1,8 @@
 import { Toolbar } from "react-aria-components/Toolbar";
 import { formatNumber } from "../../i18n/number.ts";
 import { RATES } from "../../view/playback.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { GlyphButton } from "./GlyphButton.tsx";
 import type { PlaybackStore } from "./playback-store.ts";
 import { usePlayback } from "./use-playback.ts";

@@ -1,9 +1,9 @@
 import { useCallback } from "react";
 import type { Run } from "../../program/run-types.ts";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../base/clock.ts";
 import type { Lengths } from "../../i18n/lengths.ts";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import type { Moving } from "./moving.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { chipText, runningText, type Running } from "./running.ts";

@@ -8,7 +8,7 @@ import { shippedTools } from "../../program/shipped-tools.ts";
 import { surfacesOf } from "../../view/material/surfaces.ts";
 import { stretchData } from "../../view/path.ts";
 import { trackOf } from "../../view/playback.ts";
-import { manualClock } from "../clock.ts";
+import { manualClock } from "../base/clock.ts";
 import { printedText } from "../printed.ts";
 import { RunningMove } from "./RunningMove.tsx";
 import { createPlaybackStore } from "./playback-store.ts";

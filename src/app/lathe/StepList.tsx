@@ -1,7 +1,7 @@
 import type { Run } from "../../program/run-types.ts";
-import { Icon } from "../Icon.tsx";
-import { changeSettings, useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { changeSettings, useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { mostSteps, nearestCycle, runningSteps } from "./running.ts";
 import { useReadPlayback } from "./use-playback.ts";

@@ -10,7 +10,7 @@ import { edgeMark, type Seen } from "../../view/edge-mark.ts";
 import { textWidth, type LabelBox } from "../../view/help/labels.ts";
 import { tipAt } from "../../view/tip.ts";
 import { useLengths } from "../lengths.ts";
-import { holds } from "../use-media.ts";
+import { holds } from "../base/use-media.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
 import { badgesOf, TOOLS } from "./PlaceButtons.tsx";
 import type { LookAt } from "./places.ts";

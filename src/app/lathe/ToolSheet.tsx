@@ -8,7 +8,7 @@ import type { Bounds } from "../../view/camera.ts";
 import { liesInward, windowsOf } from "../../view/cutting-tool/covered.ts";
 import { toolBox } from "../../view/cutting-tool/drawing.ts";
 import { liesBehind, silhouetteOf, type Silhouette } from "../../view/cutting-tool/silhouette.ts";
-import type { SectionView } from "../settings/settings.ts";
+import type { SectionView } from "../base/settings/settings.ts";
 import { BreakLine } from "./BreakLine.tsx";
 import { restingTip, runningTip, type Carrying } from "./carry.ts";
 import { TipCarrier } from "./TipCarrier.tsx";

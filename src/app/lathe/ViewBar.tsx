@@ -1,6 +1,6 @@
 import { Toolbar } from "react-aria-components/Toolbar";
-import { changeSettings, SECTION_VIEWS, SHOWN_COLOURS, SHOWN_PATHS, useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { changeSettings, SECTION_VIEWS, SHOWN_COLOURS, SHOWN_PATHS, useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { Glyph, type GlyphName } from "./Glyph.tsx";
 import { GlyphButton } from "./GlyphButton.tsx";
 import type { MeasuringShown } from "../measure/measuring.ts";

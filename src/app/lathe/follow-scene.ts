@@ -10,11 +10,11 @@ import { chuckPatch, patchWithin, turnedPatchOf } from "../../view/material/touc
 import type { KnownOutcome } from "../engine/load-request.ts";
 import type { StockPictures } from "../engine/played.ts";
 import { askWorker } from "../engine/worker-life.ts";
-import type { SectionView } from "../settings/settings.ts";
+import type { SectionView } from "../base/settings/settings.ts";
 import { fitCanvas } from "./fit-canvas.ts";
 import type { Moving } from "./moving.ts";
 import { knownOf, playedLayer, playedSteps } from "./played-layer.ts";
-import { pageColours } from "./use-theme-colours.ts";
+import { pageColours } from "../base/use-theme-colours.ts";
 import { drawnRoom, type Viewport } from "./viewport.ts";
 import { shiftSheet } from "./World.tsx";
 

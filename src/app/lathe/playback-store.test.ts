@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { trackOf } from "../../view/playback.ts";
-import { manualClock } from "../clock.ts";
+import { manualClock } from "../base/clock.ts";
 import { createPlaybackStore } from "./playback-store.ts";
 
 const track = trackOf([{ seconds: 2 }, { seconds: 1 }, { seconds: 3 }]);

@@ -1,6 +1,6 @@
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { atStart, reduce, settled, trackOf, type Action, type Playback } from "../../view/playback.ts";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../base/clock.ts";
 
 /** A playback that runs on a clock, for anything on the page that shows or moves it. */
 export interface PlaybackStore {

@@ -2,7 +2,7 @@ import { transfer, type Remote } from "comlink";
 import type { Step } from "../../kernel/step.ts";
 import type { StockLook } from "../../view/material/stock-painter.ts";
 import { secondsAt, type PlayedTrack } from "../../view/playback.ts";
-import { dayMoment } from "../clock.ts";
+import { dayMoment } from "../base/clock.ts";
 import type { KnownOutcome } from "../engine/load-request.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import type { PlayedCourse, PlayedOn } from "../engine/played.ts";

@@ -4,7 +4,7 @@ import type { Run } from "../../program/run-types.ts";
 import { MOST_STRETCHES, pathStretches, wholePath, type KnownLines, type PathStretch } from "../../view/passes.ts";
 import type { Shape, TipWays } from "../../view/scene.ts";
 import { whenRehearsed } from "../engine/page-plan.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { usePlayback } from "./use-playback.ts";
 

@@ -1,5 +1,5 @@
 import { useCallback, useEffect, useRef, useState, type RefObject } from "react";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../base/clock.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import { useEachReading } from "./use-playback.ts";
 

@@ -1,6 +1,6 @@
 import { useMemo, useState } from "react";
 import type { Run } from "../../program/run-types.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import type { ShownWork } from "../solid/show.ts";
 import type { Zooming } from "../solid/SolidView.tsx";
 import type { Moving, Waiting } from "./moving.ts";

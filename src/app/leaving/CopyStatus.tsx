@@ -7,7 +7,7 @@ import { closeCopying, useCopying } from "../program/copy.ts";
 import { useFileKind } from "../program/output.ts";
 import { useLengths } from "../lengths.ts";
 import { blockCount } from "../printed.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 /** What is to be known of a program that is not all well. */
 function doubtOf(verdict: ShownVerdict, { dialog, findings }: Texts, lengths: Lengths): string {

@@ -1,6 +1,6 @@
 import { Suspense, useEffect, useId, useRef } from "react";
 import type { FindingsHost } from "../findings/host.ts";
-import { lazyPart } from "../parts.ts";
+import { lazyPart } from "../base/parts.ts";
 import { useLeaving } from "./leaving.ts";
 
 /** Seldom needed. */

@@ -1,8 +1,8 @@
 import { showSection } from "../place.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { issueText, placeInFile } from "../issue-text.ts";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import type { FindingsHost } from "../findings/host.ts";
 import { verdictReasons } from "../findings/verdict-words.ts";
 import type { Asking } from "./leaving.ts";

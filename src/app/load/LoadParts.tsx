@@ -1,6 +1,6 @@
 import { Suspense } from "react";
-import { lazyPart } from "../parts.ts";
-import { useSettings } from "../settings/settings.ts";
+import { lazyPart } from "../base/parts.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import type { LoadLinesProps } from "./LoadLines.tsx";
 import type { LoadMarkProps } from "./LoadMark.tsx";
 import type { LoadStripProps } from "./LoadStrip.tsx";

@@ -8,7 +8,7 @@ import type { PathLoad } from "../../sim/load/along.ts";
 import type { RoughStretch } from "../../sim/load/roughness.ts";
 import { greatestAlong, roughestOf, worstOf, type AlongPath, type LoadPlace } from "../../view/load/values.ts";
 import { placeText } from "../lathe/running.ts";
-import { laterTexts } from "../settings/later-texts.ts";
+import { laterTexts } from "../base/settings/later-texts.ts";
 import { useMeasuredLoad, type MeasuredLoad } from "./load-store.ts";
 
 export const { useThem: useLoadTexts } = laterTexts(loadLoad);

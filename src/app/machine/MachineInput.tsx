@@ -2,8 +2,8 @@ import { useId, useRef } from "react";
 import { sumOf } from "../../program/field.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
-import { Icon } from "../Icon.tsx";
-import { useSettings } from "../settings/settings.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useSettings } from "../base/settings/settings.ts";
 
 interface Props {
   readonly name: string;

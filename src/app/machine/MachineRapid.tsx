@@ -1,7 +1,7 @@
 import { useOutcome } from "../engine/outcome.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import { timeContents } from "../effect/time-contents.ts";
-import { useMachineTextsSoon } from "./use-machine-texts.ts";
+import { useMachineTextsSoon } from "../base/use-machine-texts.ts";
 
 /** Says in place of the rapid rate that the machine states its own. */
 export function MachineRapid() {

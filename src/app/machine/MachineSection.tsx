@@ -4,13 +4,13 @@ import { formatNumber } from "../../i18n/number.ts";
 import type { MachineData } from "../../program/machine-data.ts";
 import { EXAMPLE_MACHINE_NAMES, EXAMPLE_MACHINES } from "../../program/example-machines.ts";
 import { machineOf, readMachine, writeMachine, type MachineProblem } from "../../program/machine-file.ts";
-import { downloadText } from "../files/download.ts";
-import { Icon } from "../Icon.tsx";
-import { changeSettings, useSettings } from "../settings/settings.ts";
+import { downloadText } from "../base/download.ts";
+import { Icon } from "../base/Icon.tsx";
+import { changeSettings, useSettings } from "../base/settings/settings.ts";
 import { draftOfMachine, problemAt, readMachineDraft, MACHINE_FIELDS, type DraftPoint, type MachineDraft,
   type MachineField } from "./draft.ts";
 import { MachineInput } from "./MachineInput.tsx";
-import { useMachineTextsSoon } from "./use-machine-texts.ts";
+import { useMachineTextsSoon } from "../base/use-machine-texts.ts";
 import "./machine.css";
 
 /** The data without the name: what makes one of the examples. */

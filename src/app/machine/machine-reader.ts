@@ -1,6 +1,6 @@
 import { create } from "zustand";
 import type { MachineData } from "../../program/machine-data.ts";
-import { untilHere } from "../parts.ts";
+import { untilHere } from "../base/parts.ts";
 
 /** What reads machine files, fetched for the first one: most devices have none. */
 export const useMachineReader = create<{ readonly read: ((text: string) => MachineData | null) | null }>(() => ({ read: null }));

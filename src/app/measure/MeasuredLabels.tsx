@@ -3,7 +3,7 @@ import type { Pt } from "../../kernel/point.ts";
 import { toPlace, type Camera, type Place } from "../../view/camera.ts";
 import type { StandingMeasurement } from "../../view/measure/layout.ts";
 import { setMeasured } from "../edits.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { useMeasureTexts, type MeasurementWords } from "./measure-words.ts";
 
 /** A text on its way to another place. */

@@ -4,7 +4,7 @@ import { catalogue } from "../../cycles/index.ts";
 import { at } from "../../kernel/point.ts";
 import { exampleJob } from "../../program/job.ts";
 import { setMeasured } from "../edits.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { begin } from "../store.ts";
 import { MeasuredInSection } from "./Measurements.tsx";
 

@@ -1,7 +1,7 @@
 import { Suspense } from "react";
 import { measuredIn } from "../edits.ts";
 import type { Viewport } from "../lathe/viewport.ts";
-import { lazyPart } from "../parts.ts";
+import { lazyPart } from "../base/parts.ts";
 import { useEditor } from "../store.ts";
 import type { MeasuringShown } from "./measuring.ts";
 import type { MeasureSource } from "./source.ts";

@@ -10,8 +10,8 @@ import { pickedWith } from "../../view/measure/tool.ts";
 import { measuredIn, setMeasured } from "../edits.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { useEditor } from "../store.ts";
-import { pageUnit } from "../unit.ts";
-import { holds } from "../use-media.ts";
+import { pageUnit } from "../base/unit.ts";
+import { holds } from "../base/use-media.ts";
 import { TOOL_KEYS, type MeasureHand, type Measuring, type MeasureState } from "./measuring.ts";
 import type { MeasureSource } from "./source.ts";
 

@@ -5,7 +5,7 @@ import { loadMeasure } from "../../i18n/load-measure.ts";
 import type { MeasuredKind, MeasuredMoment } from "../../kernel/measured.ts";
 import { INCH } from "../../kernel/units.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
-import { laterTexts } from "../settings/later-texts.ts";
+import { laterTexts } from "../base/settings/later-texts.ts";
 
 /** The texts of measuring, in the screen language. */
 export const { useThem: useMeasureTexts } = laterTexts(loadMeasure);

@@ -1,6 +1,6 @@
 import { lookForNewer, updateNow } from "./offline.ts";
 import { useOfflineTexts } from "./use-offline-texts.ts";
-import { useVersion } from "./version.ts";
+import { useVersion } from "../base/version.ts";
 
 /** Which version this is, whether all of it is on the device, and the way to a newer one. */
 export function OfflineState() {

@@ -1,7 +1,7 @@
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { useOfflineTexts } from "./use-offline-texts.ts";
 import { updateNow } from "./offline.ts";
-import { useVersion } from "./version.ts";
+import { useVersion } from "../base/version.ts";
 
 /** Says that a newer version is here. The page goes on as it is until somebody presses the button. */
 export function UpdateBar() {

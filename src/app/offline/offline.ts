@@ -1,6 +1,6 @@
-import { time } from "../clock.ts";
+import { time } from "../base/clock.ts";
 import { handOver } from "../store.ts";
-import { useVersion } from "./version.ts";
+import { useVersion } from "../base/version.ts";
 
 /** A page that stays open looks for a newer version when it is come back to, not more often than this, ms. */
 const LOOK_AGAIN = 3_600_000;

@@ -1,5 +1,5 @@
-import { atRest } from "../rest.ts";
-import { canKeep } from "./version.ts";
+import { atRest } from "../base/rest.ts";
+import { canKeep } from "../base/version.ts";
 
 /**
  * Keeps the page on the device once it is shown and the browser rests: the first visit waits for none of it. From the beginning

@@ -2,8 +2,8 @@ import { useId, useRef } from "react";
 import { readText, sumOf, type Field } from "../../program/field.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 interface Props {
   readonly name: string;

@@ -2,11 +2,11 @@ import { Suspense, useState } from "react";
 import type { Statement, StatementOf } from "../../nc/statement.ts";
 import { definesCycle } from "../../program/operations.ts";
 import { useSession } from "../editor/session.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
-import { lazyPart } from "../parts.ts";
+import { lazyPart } from "../base/parts.ts";
 import { ToolWords } from "../setup/tool-words.tsx";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { useToolList } from "../tools/work-tools.ts";
 import "./operations.css";
 

@@ -3,10 +3,10 @@ import { Drawing } from "../chooser/Drawing.tsx";
 import { menuCycle } from "../chooser/menu.ts";
 import { chooseOpenBlock } from "../editor/choose-block.ts";
 import { openBlock } from "../editor/session.ts";
-import { Icon, type IconName } from "../Icon.tsx";
+import { Icon, type IconName } from "../base/Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { useLengths } from "../lengths.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import type { OperationRow } from "./operation-rows.ts";
 import { cycleWords, doneWords, titleOf } from "./words.ts";
 

@@ -2,7 +2,7 @@ import type { Tool } from "../../kernel/tool.ts";
 import type { ToolFit } from "../../program/which-tool.ts";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { ToolWords, useToolDetails, useToolVerdict } from "../setup/tool-words.tsx";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { useToolList } from "../tools/work-tools.ts";
 
 /** Edge length of an insert drawing, px. */

@@ -1,7 +1,7 @@
 import type { StatementOf } from "../../nc/statement.ts";
 import { isKnownCycle } from "../../program/own-cycle.ts";
-import { Icon } from "../Icon.tsx";
-import { useTableTexts } from "../settings/use-table-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { describeBlock, isFull } from "./own-edits.ts";
 import { showOwn } from "./own-place.ts";
 import { libraryOf } from "./own-reading.ts";

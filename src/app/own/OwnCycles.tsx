@@ -3,9 +3,9 @@ import type { More } from "../chooser/CycleChooser.tsx";
 import { Drawing } from "../chooser/Drawing.tsx";
 import { plain } from "../chooser/search.ts";
 import type { OwnCycle } from "../../program/own-cycle.ts";
-import { Icon } from "../Icon.tsx";
-import { useTableTexts } from "../settings/use-table-texts.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { showOwn } from "./own-place.ts";
 import { useOwnCycles } from "./own-reading.ts";
 

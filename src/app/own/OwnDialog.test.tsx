@@ -9,7 +9,7 @@ import { newParameter } from "../../program/own-cycle.ts";
 import { withPrompt } from "../editor/block-prompts.ts";
 import { entryAt } from "../findings/entry.ts";
 import { openPrompt } from "../place.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { readingOfOwn } from "./own-block.ts";
 import { libraryOf } from "./own-reading.ts";
 import { takeOwn, useOwn } from "./own-store.ts";

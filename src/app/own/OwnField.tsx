@@ -3,10 +3,10 @@ import { sumOf } from "../../program/field.ts";
 import type { OwnProblem } from "../../program/own-cycle.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
-import { Icon } from "../Icon.tsx";
-import { useSettings } from "../settings/settings.ts";
-import { useTableTexts } from "../settings/use-table-texts.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
 
 /** What is wrong with a field, read out when it changes. What is only not there yet is said calmly. */

@@ -5,7 +5,7 @@ import { parse } from "../../nc/parse.ts";
 import { newParameter, OWN_SIZES, type OwnEntry } from "../../program/own-cycle.ts";
 import { onHistoryKey } from "../history.ts";
 import { useKeeping } from "../saving/keep.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { redo, undo, useSteps } from "../steps.ts";
 import { readKeptOwn, startOwn, writeKeptOwn } from "./keep-own.ts";
 import { describeBlock } from "./own-edits.ts";

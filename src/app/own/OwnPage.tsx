@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import type { OwnEntry } from "../../program/own-cycle.ts";
-import { Icon } from "../Icon.tsx";
-import { useTableTexts } from "../settings/use-table-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { TableStatus, type TableSaid } from "../tools/TableStatus.tsx";
 import { TableTabs } from "../tools/TableTabs.tsx";
 import { showKind, showTools } from "../tools/tool-place.ts";

@@ -1,6 +1,6 @@
 import { z } from "zod/mini";
 import type { OwnList } from "../../program/own-library.ts";
-import { keepTable } from "../saving/device-table.ts";
+import { keepTable } from "../base/device-table.ts";
 import { notice } from "../saving/keep.ts";
 import { takeOwn, useOwn } from "./own-store.ts";
 

@@ -1,7 +1,7 @@
 import type { OwnTexts } from "../../i18n/en/own.ts";
 import { OWN_SIZES } from "../../program/own-cycle.ts";
 import { readLibraryFile, writeLibrary } from "../../program/own-library.ts";
-import { downloadText } from "../files/download.ts";
+import { downloadText } from "../base/download.ts";
 import { takeEntries } from "./own-edits.ts";
 import { openOwn } from "./own-place.ts";
 import { libraryOf } from "./own-reading.ts";

@@ -1,7 +1,7 @@
 import { useVerdict } from "../findings/use-findings.ts";
 import { copyJob } from "../leaving/copy-program.ts";
-import { Icon } from "../Icon.tsx";
-import { useTexts } from "../settings/use-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { useCopying } from "./copy.ts";
 import { useFileKind } from "./output.ts";

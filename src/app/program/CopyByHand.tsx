@@ -1,5 +1,5 @@
 import { useLayoutEffect, useRef } from "react";
-import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { closeCopying, useCopying } from "./copy.ts";
 
 /** Where the clipboard is refused: the text, selected, to be copied by hand. */

@@ -1,4 +1,4 @@
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 
 interface Props {
   readonly text: string;

@@ -3,11 +3,11 @@ import { handOver, useEditor } from "../store.ts";
 import type { ShownVerdict } from "../findings/verdict.ts";
 import { CompareButton } from "../compare/CompareButton.tsx";
 import type { ShowBlock } from "../compare/compare-place.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { mayLeave } from "../leaving/leaving.ts";
-import { lazyPart } from "../parts.ts";
+import { lazyPart } from "../base/parts.ts";
 import { printedText, programName } from "../printed.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { showSheet } from "../sheet/sheet-place.ts";
 import { isProgram, type Work } from "../work.ts";
 

@@ -10,7 +10,7 @@ import { NO_PROGRESS, withHint, withPass, withPlace } from "../../course/progres
 import { exampleJob } from "../../program/job.ts";
 import { readCuttingTable, usualTable, writeCuttingTable } from "../../program/cutting-table.ts";
 import { shippedList } from "../../program/tool-list.ts";
-import { readSettings } from "../settings/settings.ts";
+import { readSettings } from "../base/settings/settings.ts";
 import type { Work } from "../work.ts";
 import { ARCHIVE_LIMITS, readArchive, writeArchive, type ArchivedWork, type ReadArchive } from "./archive.ts";
 

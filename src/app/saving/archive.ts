@@ -15,7 +15,7 @@ import { readKeptOwn } from "../own/keep-own.ts";
 import { parse } from "../../nc/parse.ts";
 import { isoProgramText } from "../../nc/iso/print-iso.ts";
 import { fileOfJob, printedText } from "../printed.ts";
-import { readSettings, type Settings } from "../settings/settings.ts";
+import { readSettings, type Settings } from "../base/settings/settings.ts";
 import { keptTable, readKept } from "../tools/keep-tools.ts";
 import { toolsOnDevice } from "../tools/tool-store.ts";
 import { isProgram, textsOf, type Work, type WorkFile } from "../work.ts";

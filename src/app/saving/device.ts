@@ -1,6 +1,6 @@
 import { createStore, del, entries, get, keys, set, setMany } from "idb-keyval";
 import { z } from "zod/mini";
-import { time } from "../clock.ts";
+import { time } from "../base/clock.ts";
 import { isProgram, textsOf, type Work } from "../work.ts";
 import { isNewer, readSave, SAVE_VERSION, type SaveFile } from "./save-file.ts";
 

@@ -1,11 +1,11 @@
-import { drawnId } from "../chance.ts";
-import { time } from "../clock.ts";
+import { drawnId } from "../base/chance.ts";
+import { time } from "../base/clock.ts";
 import { create } from "zustand";
-import { untilHere } from "../parts.ts";
+import { untilHere } from "../base/parts.ts";
 import { begin, handOver, open, useEditor } from "../store.ts";
 import type { Work } from "../work.ts";
 import { findWorks, keepWork, readWork, type Kept } from "./device.ts";
-import { persistOnce } from "./persist.ts";
+import { persistOnce } from "../base/persist.ts";
 import { readSave, SAVE_VERSION } from "./save-file.ts";
 import { showElsewhere } from "./elsewhere.ts";
 import { answerOthers, askFor, claimNew, claimWork, leaveBehind, onLost, ownedWorks, owns, releaseWork, rememberWork,

@@ -1,5 +1,5 @@
 import { encode } from "../editor/encoding.ts";
-import { downloadBytes } from "../files/download.ts";
+import { downloadBytes } from "../base/download.ts";
 import { fileOfJob, leavingText } from "../printed.ts";
 import { isProgram, textsOf, type Work } from "../work.ts";
 

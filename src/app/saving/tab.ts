@@ -1,4 +1,4 @@
-import { drawnId } from "../chance.ts";
+import { drawnId } from "../base/chance.ts";
 
 /**
  * A work is written by one tab at a time: the one that holds its lock, which dies with the tab. Which work a tab has open survives a

@@ -1,6 +1,6 @@
 import { fileKey } from "../../program/program-files.ts";
-import { drawnId } from "../chance.ts";
-import { time } from "../clock.ts";
+import { drawnId } from "../base/chance.ts";
+import { time } from "../base/clock.ts";
 import { note } from "../steps.ts";
 import { isProgram, textsOf, type Work } from "../work.ts";
 import { forgetWork, keepWork, readWork } from "./device.ts";

@@ -2,9 +2,9 @@ import { Suspense, useLayoutEffect, useRef } from "react";
 import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
 import { OfflineState } from "../offline/OfflineState.tsx";
 import { showOwn } from "../own/own-place.ts";
-import { lazyPart } from "../parts.ts";
-import { changeLanguage, changeSettings, useSettings } from "./settings.ts";
-import { useFirstTexts } from "./use-first-texts.ts";
+import { lazyPart } from "../base/parts.ts";
+import { changeLanguage, changeSettings, useSettings } from "../base/settings/settings.ts";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 
 const MachineSection = lazyPart(async () => ({ default: (await import("../machine/MachineSection.tsx")).MachineSection }));
 const ThisDevice = lazyPart(async () => ({ default: (await import("../works/ThisDevice.tsx")).ThisDevice }));

@@ -2,7 +2,7 @@ import { CHUCK_SIZES } from "../../kernel/clamping.ts";
 import { clampingField, isNeeded } from "../../program/clamping/draft.ts";
 import { CENTRE_ANGLE, CLAMPING_KINDS, CLAMPING_WORDS, wordsOfKind, type ClampingDraft,
   type ClampingWord } from "../../program/clamping/words.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { useClampingTexts } from "./clamping-texts.ts";
 import { NumberField } from "./NumberField.tsx";
 

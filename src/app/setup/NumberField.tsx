@@ -3,13 +3,13 @@ import { readText, sumOf, type Field } from "../../program/field.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { usePlace } from "../place.ts";
 import { useFindings } from "../findings/use-findings.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { closeStep } from "../steps.ts";
-import { useTyping } from "../typing.ts";
+import { useTyping } from "../base/typing.ts";
 
 interface Props {
   readonly name: string;

@@ -2,7 +2,7 @@ import { usedParameters } from "../../program/job-parameters.ts";
 import { parameterField } from "../../program/setup-fields.ts";
 import { setParameter } from "../edits.ts";
 import type { JobReading } from "../reading.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { NumberField } from "./NumberField.tsx";
 
 /** The Q parameters that stand in the prompts, each with its value; nothing while none does. */

@@ -5,7 +5,7 @@ import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { goToField } from "../place.ts";
 import { useReading } from "../reading.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { undo } from "../steps.ts";
 import { begin, useEditor } from "../store.ts";
 import { SetupPanel } from "./SetupPanel.tsx";

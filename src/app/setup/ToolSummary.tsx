@@ -1,13 +1,13 @@
 import type { ToolFit } from "../../program/which-tool.ts";
 import { setTool } from "../edits.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { goToField } from "../place.ts";
 import { isAboutTool } from "../findings/entry.ts";
 import { useFindings } from "../findings/use-findings.ts";
 import type { JobReading } from "../reading.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { showToolNumber } from "../tools/tool-place.ts";
 import { useToolList } from "../tools/work-tools.ts";
 import { ToolWords } from "./tool-words.tsx";

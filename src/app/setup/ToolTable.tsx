@@ -5,7 +5,7 @@ import { setTool } from "../edits.ts";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { usePlace } from "../place.ts";
 import type { JobReading } from "../reading.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { useToolList } from "../tools/work-tools.ts";
 import { ToolWords, useToolDetails, useToolVerdict } from "./tool-words.tsx";
 

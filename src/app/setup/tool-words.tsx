@@ -1,9 +1,9 @@
 import { formatNumber } from "../../i18n/number.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import type { ToolFit } from "../../program/which-tool.ts";
-import { Icon } from "../Icon.tsx";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 /** Columns of a tool in a few words. */
 export function useToolDetails(): (tool: Tool) => string {

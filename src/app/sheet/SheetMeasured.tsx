@@ -10,7 +10,7 @@ import { useLengths } from "../lengths.ts";
 import { measurementWords, useMeasureTexts } from "../measure/measure-words.ts";
 import { readIn } from "../measure/readings.ts";
 import { measurableRun } from "../measure/source.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../store.ts";
 
 const NOTHING: readonly MeasurementNow[] = [];

@@ -1,7 +1,7 @@
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { SetupData } from "../../report/sheet/setup-data.ts";
 import { titleOf } from "../operations/words.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import type { SheetWords } from "./sheet-words.ts";
 
 const NAMES = ["number", "name", "block", "tool", "start", "speed", "feed", "passes", "time"] as const;

@@ -1,8 +1,8 @@
 import { useEffect, useState } from "react";
-import { time } from "../clock.ts";
+import { time } from "../base/clock.ts";
 import { measuredIn, setRemarks } from "../edits.ts";
-import { Icon } from "../Icon.tsx";
-import { changeSettings, PAPERS, useSettings } from "../settings/settings.ts";
+import { Icon } from "../base/Icon.tsx";
+import { changeSettings, PAPERS, useSettings } from "../base/settings/settings.ts";
 import { closeStep } from "../steps.ts";
 import { useEditor } from "../store.ts";
 import { LONGEST_REMARKS } from "../work.ts";

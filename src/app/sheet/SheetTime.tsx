@@ -1,8 +1,8 @@
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { Run } from "../../program/run-types.ts";
 import { timeCauses, timeContents } from "../effect/time-contents.ts";
-import { useMachineTexts } from "../machine/use-machine-texts.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useMachineTexts } from "../base/use-machine-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import type { SheetWords } from "./sheet-words.ts";
 
 /** The running time, where it goes, and what it contains. */

@@ -7,8 +7,8 @@ import { setupData, type SetupData } from "../../report/sheet/setup-data.ts";
 import { isMadeFrom, useOutcome, type Outcome } from "../engine/outcome.ts";
 import { fileOfJob, printedText } from "../printed.ts";
 import { useIsoFile } from "../program/output.ts";
-import { laterTexts } from "../settings/later-texts.ts";
-import { useSettings } from "../settings/settings.ts";
+import { laterTexts } from "../base/settings/later-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import { handedOn, useEditor } from "../store.ts";
 import { toolsOnDevice, useTools } from "../tools/tool-store.ts";
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { manualClock } from "../clock.ts";
+import { manualClock } from "../base/clock.ts";
 import { createEye } from "./eye.ts";
 
 const BOUNDS = { left: -61.3, right: 1.7, low: 0, high: 22.9 };

@@ -1,7 +1,7 @@
 import type { Bounds, Size } from "../../view/camera.ts";
 import { approached, namedView, nearTo, orbited, projected, slid, viewBetween, type NamedView,
   type Orbit } from "../../view/solid/orbit.ts";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../base/clock.ts";
 import type { Seeing } from "../lathe/seeing.ts";
 
 /** From where the body is looked at, followed by what draws it. */

@@ -15,7 +15,7 @@ import { runThreads, type RunThreads } from "../../view/solid/thread-cuts.ts";
 import type { TonedSide } from "../../view/solid/tones.ts";
 import { UNTOUCHED } from "../../view/material/surfaces.ts";
 import { tipAt } from "../../view/tip.ts";
-import { stopwatch, type Clock } from "../clock.ts";
+import { stopwatch, type Clock } from "../base/clock.ts";
 import { stepIndex, type Moving, type Waiting } from "../lathe/moving.ts";
 import { knownOf } from "../lathe/played-layer.ts";
 import { bodySource, isSameTold } from "./body-source.ts";

@@ -1,6 +1,6 @@
 import { Suspense } from "react";
-import { lazyPart } from "../parts.ts";
-import { fetchShownTexts } from "../settings/shown-texts.ts";
+import { lazyPart } from "../base/parts.ts";
+import { fetchShownTexts } from "../base/settings/shown-texts.ts";
 
 /** Fetched with its texts when it is first opened. */
 const NewProgram = lazyPart(async () => {

@@ -1,13 +1,13 @@
 import { useMemo, useState } from "react";
 import { menuCycle } from "../chooser/menu.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { usePlace } from "../place.ts";
 import { undoStep } from "../history.ts";
 import { keptPictures } from "../saving/kept-picture.ts";
 import { openWork, useKeeping } from "../saving/keep.ts";
 import { useWorksElsewhere } from "../saving/use-works-elsewhere.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { KeptPicture } from "./KeptPicture.tsx";
 
 /** Works that are listed here; all of them have a page of their own. */

@@ -1,9 +1,9 @@
 import { useEffect, useId, useRef, useState } from "react";
-import { clock } from "../clock.ts";
-import { Icon } from "../Icon.tsx";
-import { reducedMotion } from "../settings/appearance.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { clock } from "../base/clock.ts";
+import { Icon } from "../base/Icon.tsx";
+import { reducedMotion } from "../base/settings/appearance.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { durationOf, livePlace } from "./live-place.ts";
 import type { LiveRun } from "./pictures.ts";
 

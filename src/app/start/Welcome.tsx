@@ -1,4 +1,4 @@
-import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { LivePicture } from "./LivePicture.tsx";
 import type { StartPictures } from "./pictures.ts";
 

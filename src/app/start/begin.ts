@@ -4,7 +4,7 @@ import { draftOf } from "../edits.ts";
 import { FIRST_PLACE } from "../dialog/setup-prompts.ts";
 import { openPrompt } from "../place.ts";
 import { startWork } from "../saving/keep.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useSettings } from "../base/settings/settings.ts";
 
 /** Begins a program of a cycle, with the printed example's values or with empty prompts. */
 export function beginCycle(number: number, withExample: boolean): void {

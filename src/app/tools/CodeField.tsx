@@ -2,7 +2,7 @@ import { useId, useRef, useState } from "react";
 import { fillingOf, isWholeCode, nameOfCodes } from "../../program/iso-codes/code-cells.ts";
 import { readToolCodes } from "../../program/iso-codes/tool-code.ts";
 import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { CodeFillings, CodeNotes, CodeParts } from "./CodeReading.tsx";
 import { setCells } from "./tool-edits.ts";
 import { useToolWords } from "./use-tool-words.ts";

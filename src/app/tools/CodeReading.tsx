@@ -4,9 +4,9 @@ import { isHolderFilling, type CodeNote, type Filling } from "../../program/iso-
 import type { CodePart, CodeMeaning } from "../../program/iso-codes/code-part.ts";
 import type { HolderCell } from "../../program/tool-columns.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
-import { Icon } from "../Icon.tsx";
-import { useSettings } from "../settings/settings.ts";
-import { useTableTexts } from "../settings/use-table-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
 
 type Number = (n: number) => string;
 

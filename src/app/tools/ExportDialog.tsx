@@ -2,11 +2,11 @@ import { useRef } from "react";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
 import { originsOf } from "../../program/table-again.ts";
 import type { TableOrigin } from "../../program/tool-entry.ts";
-import { Icon } from "../Icon.tsx";
-import { useTableTexts } from "../settings/use-table-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import type { ExportKind } from "./tool-files.ts";
 import { toolsOnDevice, useTools } from "./tool-store.ts";
-import { useModal } from "../use-modal.ts";
+import { useModal } from "../base/use-modal.ts";
 
 /** Asks which file the table goes out as, and says what each cannot hold. */
 export function ExportDialog({ words: w, again, write, done }: { readonly words: ToolFileTexts;

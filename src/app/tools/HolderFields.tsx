@@ -3,7 +3,7 @@ import type { Issue } from "../../kernel/issue.ts";
 import { readAxis } from "../../program/holder-cells.ts";
 import { HOLDER_NUMBERS } from "../../program/tool-columns.ts";
 import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
-import { useTableTexts } from "../settings/use-table-texts.ts";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { setCell } from "./tool-edits.ts";
 import { closeStep } from "../steps.ts";
 import { CellMessages, ToolField } from "./ToolField.tsx";

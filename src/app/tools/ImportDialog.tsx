@@ -4,13 +4,13 @@ import { HOLDER_CELLS, type HolderCell } from "../../program/tool-columns.ts";
 import type { ToolEntry } from "../../program/tool-entry.ts";
 import { planImport, type ImportChange } from "../../program/tool-import.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
-import { Icon } from "../Icon.tsx";
-import { useSettings } from "../settings/settings.ts";
-import { useTableTexts } from "../settings/use-table-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import type { Brought } from "./tool-files.ts";
 import { useToolName } from "./tool-name.ts";
 import { useTools } from "./tool-store.ts";
-import { useModal } from "../use-modal.ts";
+import { useModal } from "../base/use-modal.ts";
 
 /** Tools that are listed one by one. */
 const MOST = 200;

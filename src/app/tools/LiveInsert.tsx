@@ -4,10 +4,10 @@ import { insertOutline } from "../../kernel/insert.ts";
 import { CHORD, ROUND, SAME } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { boundsOf } from "../../view/bounds.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { heldBounds, InsertDrawing } from "../lathe/InsertDrawing.tsx";
-import { useSettings } from "../settings/settings.ts";
-import { useTableTexts } from "../settings/use-table-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
 
 /** Edges of the drawing, px. */
 const WIDTH = 176;

@@ -3,8 +3,8 @@ import { radius, toDiameter } from "../../kernel/units.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { drillOf } from "../../program/tool-call.ts";
 import type { MillTool } from "../../program/tool-entry.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTableTexts } from "../settings/use-table-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { wholeAbove } from "./LiveInsert.tsx";
 
 /** Edges of the drawing, px. */

@@ -1,5 +1,5 @@
 import { undoStep } from "../history.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 
 /** What came of a file, or of a change: sentences, and whether the table was changed. */
 export interface TableSaid {

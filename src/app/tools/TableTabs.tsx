@@ -1,5 +1,5 @@
-import { useTableTexts } from "../settings/use-table-texts.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import type { ToolKind } from "./tool-place.ts";
 
 /** The tables of this device: two kinds of tools, and the operator's own cycles. */

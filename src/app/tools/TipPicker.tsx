@@ -2,7 +2,7 @@ import { useRef } from "react";
 import { Radio, RadioGroup, type RadioProps } from "react-aria-components/RadioGroup";
 import type { TipOrientation, Tool } from "../../kernel/tool.ts";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
-import { useTableTexts } from "../settings/use-table-texts.ts";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
 
 /** Edge length of one picture, px. */
 const DRAWING = 44;

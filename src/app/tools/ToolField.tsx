@@ -7,8 +7,8 @@ import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTableTexts } from "../settings/use-table-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { setCell } from "./tool-edits.ts";
 import { closeStep } from "../steps.ts";
 

@@ -4,10 +4,10 @@ import { applies, MILL_TABLE, ruleOf, TOOL_COLUMNS, type MillColumn, type ToolCo
 import { cellOf, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
 import type { ToolListReading } from "../../program/tool-list.ts";
 import { anyNumber, readText } from "../../program/field.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
-import { useSettings } from "../settings/settings.ts";
-import { useTableTexts } from "../settings/use-table-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { drillOf } from "../../program/tool-call.ts";
 import { openRow, type ToolKind } from "./tool-place.ts";
 import { useToolName } from "./tool-name.ts";

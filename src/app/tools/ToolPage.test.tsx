@@ -7,7 +7,7 @@ import { shippedList } from "../../program/tool-list.ts";
 import { writeTableText } from "../../program/tool-table-text.ts";
 import { onHistoryKey } from "../history.ts";
 import { useKeeping } from "../saving/keep.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { undo, useSteps } from "../steps.ts";
 import { readKept, startTools, writeKept } from "./keep-tools.ts";
 import { showTools, showToolNumber, useToolPlace } from "./tool-place.ts";

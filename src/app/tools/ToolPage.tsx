@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState } from "react";
-import { Icon } from "../Icon.tsx";
-import { useSettings } from "../settings/settings.ts";
-import { useTableTexts } from "../settings/use-table-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { showOwn } from "../own/own-place.ts";
 import { addTool, duplicateTool, removeTool, takeShipped } from "./tool-edits.ts";
 import { isMillEntry } from "../../program/tool-entry.ts";

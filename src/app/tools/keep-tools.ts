@@ -2,7 +2,7 @@ import { z } from "zod/mini";
 import { hasFile, tableOrigin } from "../../program/tool-entry.ts";
 import { sameList, shippedList, type ToolList } from "../../program/tool-list.ts";
 import { HOLDER_CELLS } from "../../program/tool-columns.ts";
-import { keepTable } from "../saving/device-table.ts";
+import { keepTable } from "../base/device-table.ts";
 import { notice } from "../saving/keep.ts";
 import { toolRow } from "./tool-rows.ts";
 import { takeTools, useTools } from "./tool-store.ts";

@@ -9,7 +9,7 @@ import { writeTableCsv } from "../../program/tool-table-csv.ts";
 import { readToolFile, writeTableJson } from "../../program/tool-table-json.ts";
 import { writeMillText, writeTableText } from "../../program/tool-table-text.ts";
 import { decode, encode } from "../editor/encoding.ts";
-import { downloadBytes, downloadText } from "../files/download.ts";
+import { downloadBytes, downloadText } from "../base/download.ts";
 import { closeStep } from "../steps.ts";
 import { openRow } from "./tool-place.ts";
 import { editTools, toolsOnDevice, useTools } from "./tool-store.ts";

@@ -1,5 +1,5 @@
 import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
-import { useTableTexts } from "../settings/use-table-texts.ts";
+import { useTableTexts } from "../base/settings/use-table-texts.ts";
 
 /** What a row is called: its number and name, as typed. */
 export function useToolName(): (entry: ToolEntry) => string {

@@ -1,7 +1,7 @@
 import type { HandedOn, TaskWork } from "../../program/job.ts";
 import type { Control } from "../../program/plane-types.ts";
 import type { ToolList } from "../../program/tool-list.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import { handedOn, useEditor } from "../store.ts";
 import { toolsOnDevice, useTools } from "./tool-store.ts";
 

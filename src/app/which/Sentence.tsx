@@ -2,9 +2,9 @@ import type { ReactNode } from "react";
 import type { WhichTexts } from "../../i18n/which-text.ts";
 import type { TurnedShape } from "../../cycles/define.ts";
 import type { Site } from "../../cycles/wanted.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { NumberField } from "../setup/NumberField.tsx";
-import { useTexts } from "../settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { ASKED, canBePreturned, measuresOf, type Sought, type AskingFault, type Measure, type StockChoice } from "./asking.ts";
 
 const SITES = ["outside", "inside", "face"] as const satisfies readonly Site[];

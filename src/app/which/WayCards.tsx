@@ -8,11 +8,11 @@ import { bestFirst, bestOf } from "../../report/which/best.ts";
 import type { Tried } from "../../report/which/try-way.ts";
 import type { Proposal } from "../../report/which/ways.ts";
 import { NO_AREA } from "../effect/effect.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { issueText } from "../issue-text.ts";
-import { clockText } from "../lathe/clock-text.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { clockText } from "../base/clock-text.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import type { Compared } from "./use-comparison.ts";
 
 /** Things that are wrong with a way and are spelled out. */

@@ -6,7 +6,7 @@ import { at } from "../../kernel/point.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { tryWay } from "../../report/which/try-way.ts";
 import { waysFor } from "../../report/which/ways.ts";
-import { changeSettings } from "../settings/settings.ts";
+import { changeSettings } from "../base/settings/settings.ts";
 import { begin, useEditor } from "../store.ts";
 import type { Comparer } from "./comparison.ts";
 import type { WhichRegion } from "./asking.ts";

@@ -1,10 +1,10 @@
 import { Suspense, useMemo, useRef, useState } from "react";
 import { loadWhich } from "../../i18n/load-which.ts";
 import { comparison as byWorker } from "../engine/beside.ts";
-import { Icon } from "../Icon.tsx";
-import { lazyPart } from "../parts.ts";
-import { useSettings } from "../settings/settings.ts";
-import { useTexts } from "../settings/use-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { lazyPart } from "../base/parts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { canBePreturned, readAsking, soughtAt, usualNumbers, type Sought, type WhichRegion } from "./asking.ts";
 import type { Comparer } from "./comparison.ts";
 import { Sentence } from "./Sentence.tsx";
@@ -12,8 +12,8 @@ import { ContourStretch } from "./ContourStretch.tsx";
 import { takeWay } from "./take.ts";
 import { useComparison } from "./use-comparison.ts";
 import { WayCards } from "./WayCards.tsx";
-import { laterTexts } from "../settings/later-texts.ts";
-import { useModal } from "../use-modal.ts";
+import { laterTexts } from "../base/settings/later-texts.ts";
+import { useModal } from "../base/use-modal.ts";
 import "./which.css";
 
 const { useThemSoon: useWhichTexts } = laterTexts(loadWhich);

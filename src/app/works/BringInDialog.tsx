@@ -1,14 +1,14 @@
 import { useEffect, useId, useRef, useState } from "react";
 import type { DeviceTexts } from "../../i18n/en/device.ts";
 import { goToWorks } from "../address/go-home.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import type { ReadArchive } from "../saving/archive.ts";
-import { useFirstTexts } from "../settings/use-first-texts.ts";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { endBringing, type Bringing } from "./bring-in-place.ts";
 import { bringsCourse } from "./bring-course.ts";
 import { missingOwn, missingTools, statesOf, tablesHere, takeArchive, type ArchivedState, type TableChoice } from "./take-archive.ts";
-import { useDeviceTexts } from "./use-device-texts.ts";
-import { useModal } from "../use-modal.ts";
+import { useDeviceTexts } from "../base/use-device-texts.ts";
+import { useModal } from "../base/use-modal.ts";
 import "./works.css";
 
 /** What is done with a table of the file: mine stays, takes what it does not have, or gives way. */

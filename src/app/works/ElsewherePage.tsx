@@ -1,11 +1,11 @@
 import { useState } from "react";
 import { goHome } from "../address/go-home.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import type { WorkElsewhere } from "../saving/elsewhere.ts";
 import { copyWork, takeOver, useKeeping } from "../saving/keep.ts";
 import { freeName } from "../saving/works.ts";
-import { useFirstTexts } from "../settings/use-first-texts.ts";
-import { useDeviceTexts } from "./use-device-texts.ts";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
+import { useDeviceTexts } from "../base/use-device-texts.ts";
 import "./works.css";
 
 /** In place of a work that another tab has: why it is not open here, and the ways to go on. */

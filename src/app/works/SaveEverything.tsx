@@ -1,7 +1,7 @@
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import { unkeptNames } from "../saving/keep.ts";
 import { saveEverything } from "./export-works.ts";
-import { useDeviceTexts } from "./use-device-texts.ts";
+import { useDeviceTexts } from "../base/use-device-texts.ts";
 
 /** The button that hands everything on this device to the downloads; `say` is told what became of it. */
 export function SaveEverything({ say }: { readonly say: (what: string) => void }) {

@@ -1,13 +1,13 @@
 import { useEffect, useRef, useState } from "react";
 import { ReportList } from "../crash/ReportList.tsx";
 import { useReports } from "../crash/reports.ts";
-import { Icon } from "../Icon.tsx";
-import { askToPersist, storageState, type StorageState } from "../saving/persist.ts";
-import { useSettings } from "../settings/settings.ts";
+import { Icon } from "../base/Icon.tsx";
+import { askToPersist, storageState, type StorageState } from "../base/persist.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import { bringIn } from "./bring-in-place.ts";
 import { SaveEverything } from "./SaveEverything.tsx";
 import { sizeWords } from "./size-words.ts";
-import { useDeviceTexts } from "./use-device-texts.ts";
+import { useDeviceTexts } from "../base/use-device-texts.ts";
 import "./works.css";
 
 /** What lies on this device: whether it stays, how much it is, all of it as a file and back, and the reports of faults. */

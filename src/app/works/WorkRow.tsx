@@ -1,7 +1,7 @@
 import { memo, useLayoutEffect, useRef } from "react";
 import type { DeviceTexts } from "../../i18n/en/device.ts";
 import type { Thumbnail } from "../../view/thumbnail.ts";
-import { Icon } from "../Icon.tsx";
+import { Icon } from "../base/Icon.tsx";
 import type { Kept } from "../saving/device.ts";
 import { KeptPicture } from "../start/KeptPicture.tsx";
 

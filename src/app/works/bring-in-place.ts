@@ -1,4 +1,4 @@
-import { untilHere } from "../parts.ts";
+import { untilHere } from "../base/parts.ts";
 import { create } from "zustand";
 import { handedWork, showIncoming } from "../handing/incoming.ts";
 import type { ArchiveProblem, ReadArchive } from "../saving/archive.ts";

@@ -1,5 +1,5 @@
-import { time } from "../clock.ts";
-import { downloadBytes } from "../files/download.ts";
+import { time } from "../base/clock.ts";
+import { downloadBytes } from "../base/download.ts";
 import { isEmptyProgress } from "../../course/progress.ts";
 import { startLearning, useLearning } from "../course/progress.ts";
 import { startGathered, useGathered } from "../course/teach/gathered.ts";
@@ -10,7 +10,7 @@ import { useOwn } from "../own/own-store.ts";
 import { ARCHIVE_LIMITS, writeArchive, type ArchivedWork } from "../saving/archive.ts";
 import { findWorks, readWork } from "../saving/device.ts";
 import { newestState, useKeeping } from "../saving/keep.ts";
-import { useSettings } from "../settings/settings.ts";
+import { useSettings } from "../base/settings/settings.ts";
 import { handOver } from "../store.ts";
 import { useTools } from "../tools/tool-store.ts";
 

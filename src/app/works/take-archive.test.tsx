@@ -14,7 +14,7 @@ import { useWorked } from "../course/teach/working-time.ts";
 import type { ReadArchive } from "../saving/archive.ts";
 import { device, emptyDevice, someJob as job } from "../saving/fake-device.ts";
 import { refreshWorks } from "../saving/keep.ts";
-import { readSettings, useSettings } from "../settings/settings.ts";
+import { readSettings, useSettings } from "../base/settings/settings.ts";
 import { forget, undo } from "../steps.ts";
 import { takeTools, useTools } from "../tools/tool-store.ts";
 import { bringsCourse, bringsProgress, courseHere } from "./bring-course.ts";

@@ -1,7 +1,7 @@
 import { readOwn, type OwnEntry } from "../../program/own-cycle.ts";
 import { mergedLibrary, type OwnList } from "../../program/own-library.ts";
 import { mergedTools, sameList, type ToolList } from "../../program/tool-list.ts";
-import { drawnId } from "../chance.ts";
+import { drawnId } from "../base/chance.ts";
 import { editOwn, useOwn } from "../own/own-store.ts";
 import { writeKeptOwn } from "../own/keep-own.ts";
 import type { ArchivedWork, ReadArchive } from "../saving/archive.ts";
@@ -9,7 +9,7 @@ import { readWork } from "../saving/device.ts";
 import { fingerprint } from "../saving/difference.ts";
 import { useKeeping } from "../saving/keep.ts";
 import { addWorks } from "../saving/works.ts";
-import { changeLanguage, changeSettings } from "../settings/settings.ts";
+import { changeLanguage, changeSettings } from "../base/settings/settings.ts";
 import { editTools, toolsOnDevice, useTools } from "../tools/tool-store.ts";
 import { courseHere, takeCourse } from "./bring-course.ts";
 

@@ -5,7 +5,7 @@ import type { Language } from "../../../i18n/languages.ts";
 import { usualTable } from "../../../program/cutting-table.ts";
 import { workshopDrawing } from "../../../view/drawing/workshop-drawing.ts";
 import { useSize } from "../../help/use-size.ts";
-import { Icon } from "../../Icon.tsx";
+import { Icon } from "../../base/Icon.tsx";
 import { inScreenLanguage } from "../content.ts";
 import { DrawingSheet } from "./DrawingSheet.tsx";
 import { DrawnPrint } from "./DrawnPrint.tsx";

@@ -1,7 +1,7 @@
 import { useEffect } from "react";
 import { loadCourseTask } from "../../../i18n/load-course-task.ts";
-import { Icon } from "../../Icon.tsx";
-import { laterTexts } from "../../settings/later-texts.ts";
+import { Icon } from "../../base/Icon.tsx";
+import { laterTexts } from "../../base/settings/later-texts.ts";
 import { startLearning } from "../progress.ts";
 import { startWorkingTime } from "../teach/working-time.ts";
 import { TaskPanel } from "./TaskPanel.tsx";

@@ -1,6 +1,6 @@
 import { Suspense } from "react";
-import { lazyPart } from "../../parts.ts";
-import { fetchShownTexts } from "../../settings/shown-texts.ts";
+import { lazyPart } from "../../base/parts.ts";
+import { fetchShownTexts } from "../../base/settings/shown-texts.ts";
 import { useEditor } from "../../store.ts";
 
 /** Fetched with the texts of the workplace when a task is open. */

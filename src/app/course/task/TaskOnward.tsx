@@ -1,6 +1,6 @@
 import type { Task, TaskWords } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
-import { Icon } from "../../Icon.tsx";
+import { Icon } from "../../base/Icon.tsx";
 import { fetchTask, useCourseIndex, type LessonEntry, type TaskEntry } from "../content.ts";
 import { courseHref } from "../course-links.ts";
 import { useTaskProgress } from "../progress.ts";

@@ -1,11 +1,11 @@
 import { goalsOf, isMet } from "../../../course/goals.ts";
 import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
-import { Icon } from "../../Icon.tsx";
+import { Icon } from "../../base/Icon.tsx";
 import { draftOf } from "../../edits.ts";
 import { openPrompt, showSection } from "../../place.ts";
-import { useSettings } from "../../settings/settings.ts";
-import { useTexts } from "../../settings/use-texts.ts";
+import { useSettings } from "../../base/settings/settings.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 import { useEditor } from "../../store.ts";
 import type { ParamTextId } from "../../../cycles/index.ts";
 import { cycleByNumber } from "../../../cycles/index.ts";

@@ -6,7 +6,7 @@ import { draftOf } from "../../edits.ts";
 import { hideOwn } from "../../own/own-place.ts";
 import { usePlace } from "../../place.ts";
 import { openWork, refreshWorks, startWork, useKeeping } from "../../saving/keep.ts";
-import { useSettings } from "../../settings/settings.ts";
+import { useSettings } from "../../base/settings/settings.ts";
 import { hideTools } from "../../tools/tool-place.ts";
 import { isProgram, type Work } from "../../work.ts";
 import { unfoldNext } from "./task-view.ts";

@@ -1,10 +1,10 @@
 import { useEffect, useState } from "react";
 import { progressOfTask, stateOfTask } from "../../../course/progress.ts";
 import type { HandedResult } from "../../../course/made/result.ts";
-import { downloadText } from "../../files/download.ts";
-import { HandingDialog } from "../../handing/HandingDialog.tsx";
-import { Icon } from "../../Icon.tsx";
-import { useSettings } from "../../settings/settings.ts";
+import { downloadText } from "../../base/download.ts";
+import { HandingDialog } from "../../base/HandingDialog.tsx";
+import { Icon } from "../../base/Icon.tsx";
+import { useSettings } from "../../base/settings/settings.ts";
 import { inScreenLanguage, useCourseIndex } from "../content.ts";
 import { useLearning } from "../progress.ts";
 import { handedResult } from "./hand-in.ts";

@@ -1,11 +1,11 @@
 import { formatNumber } from "../../../i18n/number.ts";
-import { LONGEST_LINK, SAFE_LINK } from "../../files/limits.ts";
+import { LONGEST_LINK, SAFE_LINK } from "../../base/limits.ts";
 import { isHereOnly } from "../../handing/reach.ts";
-import { Icon } from "../../Icon.tsx";
+import { Icon } from "../../base/Icon.tsx";
 import { copyText, useCopying } from "../../program/copy.ts";
-import { useSettings } from "../../settings/settings.ts";
+import { useSettings } from "../../base/settings/settings.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
-import "../../handing/handing.css";
+import "../../base/handing.css";
 
 /** The address of this page, without anything behind `#`. */
 export const pageAddress = (): string => location.href.replace(/[?#].*$/, "");

@@ -4,8 +4,8 @@ import { choicesOf, hasAt, hasOperation, hasWithin, isThere, proposedQuestion } 
 import { ASKED_KINDS, type AskedKind, type QuestionDraft } from "../../../course/made/question-draft.ts";
 import { withSign } from "../../../course/made/made-form.ts";
 import { decimalSign, formatNumber } from "../../../i18n/number.ts";
-import { Icon } from "../../Icon.tsx";
-import { useSettings } from "../../settings/settings.ts";
+import { Icon } from "../../base/Icon.tsx";
+import { useSettings } from "../../base/settings/settings.ts";
 import { placeWords } from "../task/mark-words.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 import { TeachText, type FormPart } from "./WordFields.tsx";

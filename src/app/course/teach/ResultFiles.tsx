@@ -1,5 +1,5 @@
 import { useState } from "react";
-import { Icon } from "../../Icon.tsx";
+import { Icon } from "../../base/Icon.tsx";
 import { undo, useSteps } from "../../steps.ts";
 import { dropGathered } from "./gathered.ts";
 import { useProblemWords } from "./problem-words.ts";

@@ -1,5 +1,5 @@
 import { openText } from "../../files/open-program.ts";
-import { Icon } from "../../Icon.tsx";
+import { Icon } from "../../base/Icon.tsx";
 import { NUMBERS, type ResultColumn, type ResultRow } from "./result-rows.ts";
 import { leaveTaught } from "./taught-shown.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";

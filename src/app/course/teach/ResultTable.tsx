@@ -1,4 +1,4 @@
-import { Icon } from "../../Icon.tsx";
+import { Icon } from "../../base/Icon.tsx";
 import { NUMBERS, type ResultColumn, type ResultRow } from "./result-rows.ts";
 import { ResultLine } from "./ResultLine.tsx";
 import { useTeachTexts } from "./use-teach-texts.ts";

@@ -1,9 +1,9 @@
 import { useMemo, useRef, useState } from "react";
 import { decimalSign } from "../../../i18n/number.ts";
-import { downloadText } from "../../files/download.ts";
-import { Icon } from "../../Icon.tsx";
-import { useSettings } from "../../settings/settings.ts";
-import { useModal } from "../../use-modal.ts";
+import { downloadText } from "../../base/download.ts";
+import { Icon } from "../../base/Icon.tsx";
+import { useSettings } from "../../base/settings/settings.ts";
+import { useModal } from "../../base/use-modal.ts";
 import { useGathered } from "./gathered.ts";
 import { addResults } from "./open-taught.ts";
 import { learnerCount, plainName, RESULT_COLUMNS, resultsCsv, resultRows, sortedRows, type ResultColumn } from "./result-rows.ts";

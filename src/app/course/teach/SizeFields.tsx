@@ -1,6 +1,6 @@
 import { formatNumber } from "../../../i18n/number.ts";
 import type { SizeDraft } from "../../../course/made/made-form.ts";
-import { useSettings } from "../../settings/settings.ts";
+import { useSettings } from "../../base/settings/settings.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 import type { FormPart } from "./WordFields.tsx";
 

@@ -1,5 +1,5 @@
-import { HandingDialog } from "../../handing/HandingDialog.tsx";
-import { Icon } from "../../Icon.tsx";
+import { HandingDialog } from "../../base/HandingDialog.tsx";
+import { Icon } from "../../base/Icon.tsx";
 import { useProblemWords } from "./problem-words.ts";
 import type { TaughtProblem } from "./taught-files.ts";
 import { leaveTaught } from "./taught-shown.ts";

@@ -1,8 +1,8 @@
 import { Suspense, useEffect, useState } from "react";
 import { progressOfTask, stateOfTask } from "../../../course/progress.ts";
-import { Icon } from "../../Icon.tsx";
-import { lazyPart } from "../../parts.ts";
-import { useSettings } from "../../settings/settings.ts";
+import { Icon } from "../../base/Icon.tsx";
+import { lazyPart } from "../../base/parts.ts";
+import { useSettings } from "../../base/settings/settings.ts";
 import { inScreenLanguage } from "../content.ts";
 import { useLearning } from "../progress.ts";
 import { TaskStateMark } from "../TaskStateMark.tsx";

@@ -8,9 +8,9 @@ import { isThere, isWhole, truthsOf } from "../../../course/made/made-questions.
 import { asksBefore, begunOfMade, linesOfText, partOfMade, proposedTask, taskOfMade, wantsPart } from "../../../course/made/made-task.ts";
 import type { Task } from "../../../course/task.ts";
 import { wantedPart } from "../../../course/wanted-part.ts";
-import { Icon } from "../../Icon.tsx";
+import { Icon } from "../../base/Icon.tsx";
 import { decimalSign } from "../../../i18n/number.ts";
-import { useSettings } from "../../settings/settings.ts";
+import { useSettings } from "../../base/settings/settings.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
 import { keepForm, useForms } from "./kept-form.ts";
 import { PartFields } from "./PartFields.tsx";

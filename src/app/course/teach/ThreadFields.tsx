@@ -2,7 +2,7 @@ import { outlinesFrom } from "../../../course/made/made-task.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import type { ThreadDraft } from "../../../course/made/made-threads.ts";
 import { formatNumber } from "../../../i18n/number.ts";
-import { useSettings } from "../../settings/settings.ts";
+import { useSettings } from "../../base/settings/settings.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 import type { FormPart } from "./WordFields.tsx";
 

@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import { keepTable } from "../../saving/device-table.ts";
+import { keepTable } from "../../base/device-table.ts";
 import { noteChange } from "../../steps.ts";
 import { MOST_GATHERED, readGathered, writeGathered } from "./result-list.ts";
 import { isAmong, type LearnerFile } from "./result-rows.ts";

@@ -4,7 +4,7 @@ import { progressOfTask, type CourseProgress } from "../../../course/progress.ts
 import type { Task } from "../../../course/task.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { shippedList } from "../../../program/tool-list.ts";
-import { time } from "../../clock.ts";
+import { time } from "../../base/clock.ts";
 import { outcomeBeside } from "../../engine/beside.ts";
 import { printedText } from "../../printed.ts";
 import { readWork } from "../../saving/device.ts";

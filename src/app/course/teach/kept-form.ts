@@ -1,7 +1,7 @@
 import { create } from "zustand";
 import type { MadeTask } from "../../../course/made/made-form.ts";
-import { time } from "../../clock.ts";
-import { keepTable } from "../../saving/device-table.ts";
+import { time } from "../../base/clock.ts";
+import { keepTable } from "../../base/device-table.ts";
 import { noteChange } from "../../steps.ts";
 import { MOST_FORMS, readForms, writeForms, type KeptForm, type KeptForms } from "./form-list.ts";
 

@@ -1,6 +1,6 @@
 import { create } from "zustand";
 import type { Task } from "../../../course/task.ts";
-import { keepTable } from "../../saving/device-table.ts";
+import { keepTable } from "../../base/device-table.ts";
 import { noteChange } from "../../steps.ts";
 import { MOST_TAUGHT, readTaughtList, writeTaught } from "./taught-list.ts";
 

@@ -1,5 +1,5 @@
 import { formatNumber } from "../../../i18n/number.ts";
-import { useSettings } from "../../settings/settings.ts";
+import { useSettings } from "../../base/settings/settings.ts";
 import type { Again, ResultColumn, ResultRow } from "./result-rows.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 

@@ -3,7 +3,7 @@ import { countWork, useWorked, workedIn } from "./working-time.ts";
 import { useEditor } from "../../store.ts";
 
 const now = vi.hoisted(() => ({ ms: 1000, visible: "visible" }));
-vi.mock("../../clock.ts", async (real) => ({ ...(await real<object>()), time: () => now.ms }));
+vi.mock("../../base/clock.ts", async (real) => ({ ...(await real<object>()), time: () => now.ms }));
 
 const open = (task: string | null) =>
   useEditor.setState({

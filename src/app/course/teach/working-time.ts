@@ -1,6 +1,6 @@
 import { create } from "zustand";
-import { time } from "../../clock.ts";
-import { keepTable } from "../../saving/device-table.ts";
+import { time } from "../../base/clock.ts";
+import { keepTable } from "../../base/device-table.ts";
 import { noteChange, useSteps } from "../../steps.ts";
 import { useEditor } from "../../store.ts";
 import { mergedWorked, readWorked, writeWorked, type Worked, type WorkedTasks } from "./worked-list.ts";

@@ -1,9 +1,9 @@
 import { menuWordsOf } from "virtual:cycle-menu";
-import { loadFirst, type FirstTexts } from "../../i18n/first-texts.ts";
-import type { Texts } from "../../i18n/index.ts";
-import type { Language } from "../../i18n/languages.ts";
-import { loadTexts } from "../../i18n/load.ts";
-import { never } from "../../kernel/never.ts";
+import { loadFirst, type FirstTexts } from "../../../i18n/first-texts.ts";
+import type { Texts } from "../../../i18n/index.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { loadTexts } from "../../../i18n/load.ts";
+import { never } from "../../../kernel/never.ts";
 
 /** Texts that are here; those of other languages are fetched when they are chosen. */
 const first = new Map<Language, FirstTexts>();

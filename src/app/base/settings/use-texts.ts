@@ -1,6 +1,6 @@
 import { use } from "react";
-import type { Texts } from "../../i18n/index.ts";
-import type { Language } from "../../i18n/languages.ts";
+import type { Texts } from "../../../i18n/index.ts";
+import type { Language } from "../../../i18n/languages.ts";
 import { untilHere } from "../parts.ts";
 import { atOnce } from "./later-texts.ts";
 import { fetchTexts, textsHere } from "./loaded-texts.ts";

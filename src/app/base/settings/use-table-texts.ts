@@ -1,4 +1,4 @@
-import { loadTables } from "../../i18n/load-tables.ts";
+import { loadTables } from "../../../i18n/load-tables.ts";
 import { laterTexts } from "./later-texts.ts";
 
 /** What the tables of the device say, tools and own cycles, in the screen language. */

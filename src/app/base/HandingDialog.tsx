@@ -1,7 +1,7 @@
 import { useRef, type ReactNode } from "react";
-import { Icon } from "../Icon.tsx";
-import { useFirstTexts } from "../settings/use-first-texts.ts";
-import { useModal } from "../use-modal.ts";
+import { Icon } from "./Icon.tsx";
+import { useFirstTexts } from "./settings/use-first-texts.ts";
+import { useModal } from "./use-modal.ts";
 import "./handing.css";
 
 /** A dialog over the page, open as long as it is there. */

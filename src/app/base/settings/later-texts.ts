@@ -1,5 +1,5 @@
 import { use, useDeferredValue, useEffect, useState } from "react";
-import type { Language } from "../../i18n/languages.ts";
+import type { Language } from "../../../i18n/languages.ts";
 import { untilHere } from "../parts.ts";
 import { useSettings } from "./settings.ts";
 

@@ -1,4 +1,4 @@
-import type { FirstTexts } from "../../i18n/first-texts.ts";
+import type { FirstTexts } from "../../../i18n/first-texts.ts";
 import { firstTexts } from "./loaded-texts.ts";
 import { useSettings } from "./settings.ts";
 
