@@ -1,8 +1,8 @@
 import { Suspense, useEffect } from "react";
 import { menuCycle } from "./chooser/menu.ts";
-import { useGuidePlace } from "./guide/guide-place.ts";
+import { useGuidePlace } from "./place/guide-place.ts";
 import { Header } from "./Header.tsx";
-import { useCoursePlace } from "./course/course-place.ts";
+import { useCoursePlace } from "./place/course-place.ts";
 import { useChoice } from "./files/choice.ts";
 import { DropProgram } from "./files/DropProgram.tsx";
 import { NumberKeys } from "./keypad/NumberKeys.tsx";
@@ -15,7 +15,7 @@ import { lazyPart } from "./base/parts.ts";
 import { TaskLine } from "./course/task/TaskLine.tsx";
 import { useCopying } from "./program/copy.ts";
 import { fetchAtRest } from "./base/rest.ts";
-import { useElsewhere } from "./saving/elsewhere.ts";
+import { useElsewhere } from "./place/elsewhere.ts";
 import { useKeeping } from "./saving/keep.ts";
 import { fetchShownTexts } from "./base/settings/shown-texts.ts";
 import { useFirstTexts } from "./base/settings/use-first-texts.ts";
@@ -23,10 +23,10 @@ import { useSheetShown } from "./sheet/sheet-place.ts";
 import { StartPage } from "./start/StartPage.tsx";
 import { useEditor } from "./store.ts";
 import { useToolPlace } from "./tools/tool-place.ts";
-import { hideComparison, useComparing } from "./compare/compare-place.ts";
+import { hideComparison, useComparing } from "./place/compare-place.ts";
 import { hideWhich, useWhichPlace } from "./which/which-place.ts";
 import { useBringing } from "./works/bring-in-place.ts";
-import { useWorksPlace } from "./works/works-place.ts";
+import { useWorksPlace } from "./place/works-place.ts";
 
 /** Parts that are fetched when they are first shown, together with the texts that they need. */
 const later = <M,>(fetch: () => Promise<M>) => async (): Promise<M> => (await Promise.all([fetch(), fetchShownTexts()]))[0];

@@ -1,9 +1,9 @@
 import { Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
 import { goHome } from "./address/go-home.ts";
-import { useGuidePlace } from "./guide/guide-place.ts";
+import { useGuidePlace } from "./place/guide-place.ts";
 import { Icon } from "./base/Icon.tsx";
-import { usePlace } from "./place.ts";
-import { useElsewhere } from "./saving/elsewhere.ts";
+import { usePlace } from "./place/place.ts";
+import { useElsewhere } from "./place/elsewhere.ts";
 import { useFirstTexts } from "./base/settings/use-first-texts.ts";
 import { useOwnPlace } from "./own/own-place.ts";
 import { useSheetShown } from "./sheet/sheet-place.ts";
@@ -13,7 +13,7 @@ import { lazyPart } from "./base/parts.ts";
 import { useSteps } from "./steps.ts";
 import { useEditor } from "./store.ts";
 import { showTools, useToolPlace } from "./tools/tool-place.ts";
-import { useWorksPlace } from "./works/works-place.ts";
+import { useWorksPlace } from "./place/works-place.ts";
 
 /** Fetched when it is first opened. */
 const SettingsDialog = lazyPart(async () => ({ default: (await import("./settings/SettingsDialog.tsx")).SettingsDialog }));

@@ -1,5 +1,5 @@
 import { draftOf } from "./edits.ts";
-import { openPrompt, usePlace } from "./place.ts";
+import { openPrompt, usePlace } from "./place/place.ts";
 import { hideOwn, showOwn } from "./own/own-place.ts";
 import { useOwn } from "./own/own-store.ts";
 import { OF_WORKS } from "./saving/of-works.ts";

@@ -1,7 +1,7 @@
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { z } from "zod/mini";
-import { parseAddress } from "./address/address.ts";
+import { parseAddress } from "./place/address.ts";
 import { followAddress, resumePrompt } from "./address/follow-address.ts";
 import { goTo } from "./address/here.ts";
 import { App } from "./App.tsx";

@@ -7,7 +7,7 @@ import type { Run } from "../program/run-types.ts";
 import type { PlayPosition } from "../sim/simulation.ts";
 import { showChoice } from "./approach/shown-view.ts";
 import { readRows } from "../program/contour-rows.ts";
-import { chooseElement, useContourPlace } from "./contour/contour-place.ts";
+import { chooseElement, useContourPlace } from "./place/contour-place.ts";
 import { playback } from "./playback.ts";
 import { NOTHING_SELECTED, useSelection, type Selection } from "./selected.ts";
 import { useEditor } from "./store.ts";

@@ -2,7 +2,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { hideOwn, showOwn } from "../own/own-place.ts";
-import { openPrompt, showSection, usePlace } from "../place.ts";
+import { openPrompt, showSection, usePlace } from "../place/place.ts";
 import { dismiss, startKeeping, startWork, useKeeping } from "../saving/keep.ts";
 import { begin, useEditor } from "../store.ts";
 import { hideTools, openRow, showTools, useToolPlace } from "../tools/tool-place.ts";

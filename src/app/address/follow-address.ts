@@ -1,15 +1,15 @@
 import { z } from "zod/mini";
-import { useCoursePlace } from "../course/course-place.ts";
+import { useCoursePlace } from "../place/course-place.ts";
 import { useOwnPlace } from "../own/own-place.ts";
-import { useGuidePlace } from "../guide/guide-place.ts";
-import { usePlace } from "../place.ts";
-import { useElsewhere } from "../saving/elsewhere.ts";
+import { useGuidePlace } from "../place/guide-place.ts";
+import { usePlace } from "../place/place.ts";
+import { useElsewhere } from "../place/elsewhere.ts";
 import { useEditor } from "../store.ts";
 import { useSheetPlace } from "../sheet/sheet-place.ts";
 import { useToolPlace } from "../tools/tool-place.ts";
 import { useWhichPlace } from "../which/which-place.ts";
-import { useWorksPlace } from "../works/works-place.ts";
-import { isShareLink, parseAddress, printAddress } from "./address.ts";
+import { useWorksPlace } from "../place/works-place.ts";
+import { isShareLink, parseAddress, printAddress } from "../place/address.ts";
 import { beginProgram, goTo, here } from "./here.ts";
 
 /** What the browser keeps with each entry of its history, over a reload too. */

@@ -1,13 +1,13 @@
 import type { LessonPage } from "../../course/progress.ts";
-import { hideCourse, useCoursePlace } from "../course/course-place.ts";
-import { hideGuide } from "../guide/guide-place.ts";
+import { hideCourse, useCoursePlace } from "../place/course-place.ts";
+import { hideGuide } from "../place/guide-place.ts";
 import { hideOwn } from "../own/own-place.ts";
-import { usePlace } from "../place.ts";
+import { usePlace } from "../place/place.ts";
 import { open, useEditor } from "../store.ts";
 import { hideTools } from "../tools/tool-place.ts";
-import { showElsewhere } from "../saving/elsewhere.ts";
+import { showElsewhere } from "../place/elsewhere.ts";
 import { hideWhich } from "../which/which-place.ts";
-import { hideWorks, useWorksPlace } from "../works/works-place.ts";
+import { hideWorks, useWorksPlace } from "../place/works-place.ts";
 
 /** Shows the start page. What was open stays on the device, and undo opens it again. */
 export function goHome(): void {

@@ -8,7 +8,7 @@ import { editProgram, useSession } from "../editor/session.ts";
 import { useShownBeside } from "../files/shown-file.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
-import { openWordOf, useGuidedBlock } from "../guide/guide-place.ts";
+import { openWordOf, useGuidedBlock } from "../place/guide-place.ts";
 import { useEditor } from "../store.ts";
 import { ApproachDialog } from "./ApproachDialog.tsx";
 import { isFresh, markFresh } from "./fresh-block.ts";

@@ -41,7 +41,7 @@ import { PointTable } from "./PointTable.tsx";
 import { momentSentence, PlaneReadout, SpokenMoment } from "./PlaneReadout.tsx";
 import { approachSpeech } from "./speech.ts";
 import { usePlanePicking } from "./use-plane-picking.ts";
-import { KEEPS_KEYBOARD } from "../place.ts";
+import { KEEPS_KEYBOARD } from "../place/place.ts";
 import { chooseMilled } from "../selection.ts";
 import "../help/help.css";
 import "../lathe/lathe.css";

@@ -4,7 +4,7 @@ import { useState } from "react";
 import { afterEach, beforeAll, expect, test } from "vitest";
 import { newRow, type ContourRow } from "../../program/job.ts";
 import { fetchTexts } from "../base/settings/loaded-texts.ts";
-import { chooseElement } from "./contour-place.ts";
+import { chooseElement } from "../place/contour-place.ts";
 import { ContourTable } from "./ContourTable.tsx";
 
 beforeAll(() => {

@@ -8,7 +8,7 @@ import { setContour } from "../edits.ts";
 import { fetchTexts } from "../base/settings/loaded-texts.ts";
 import { undo, useSteps } from "../steps.ts";
 import { begin, useEditor } from "../store.ts";
-import { chooseElement } from "./contour-place.ts";
+import { chooseElement } from "../place/contour-place.ts";
 import { ContourStage } from "./ContourStage.tsx";
 
 const freeCycle = cuttingCycles.find(({ contour }) => contour === "free");

@@ -5,7 +5,7 @@ import type { ContourRow } from "../../program/job.ts";
 import { texts } from "../base/settings/loaded-texts.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
 import { readRows } from "../../program/contour-rows.ts";
-import { chooseElement, goToElement, useChosenRow } from "./contour-place.ts";
+import { chooseElement, goToElement, useChosenRow } from "../place/contour-place.ts";
 import { DxfImport } from "./DxfImport.tsx";
 import { FaultList } from "./FaultList.tsx";
 import { withRow, type Edited } from "./row-edits.ts";

@@ -6,7 +6,7 @@ import { catalogue } from "../../cycles/index.ts";
 import { exampleJob, newRow, type ContourRow } from "../../program/job.ts";
 import { fetchTexts } from "../base/settings/loaded-texts.ts";
 import { heldWhileTyping } from "../base/typing.ts";
-import { chooseElement } from "./contour-place.ts";
+import { chooseElement } from "../place/contour-place.ts";
 import { ContourTable } from "./ContourTable.tsx";
 
 beforeAll(() => fetchTexts("en"));

@@ -6,7 +6,7 @@ import type { ContourRow } from "../../program/job.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
 import { ContourLine } from "./ContourLine.tsx";
 import { RowTools } from "./RowTools.tsx";
-import { chooseElement, useChosenRow, useContourPlace } from "./contour-place.ts";
+import { chooseElement, useChosenRow, useContourPlace } from "../place/contour-place.ts";
 import { cornerOf, cornerRowOf, type CornerKind } from "./drawing-edits.ts";
 import { DxfImport } from "./DxfImport.tsx";
 import { FaultList } from "./FaultList.tsx";

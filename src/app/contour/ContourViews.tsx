@@ -1,5 +1,5 @@
 import { useTexts } from "../base/settings/use-texts.ts";
-import { showContourView, useContourPlace } from "./contour-place.ts";
+import { showContourView, useContourPlace } from "../place/contour-place.ts";
 
 /** Which picture stands in the middle while a contour is edited: its drawing or the lathe. */
 export function ContourViews() {

@@ -1,7 +1,7 @@
 import { lessonNumbers } from "virtual:course-index";
 import { useEffect } from "react";
 import { Icon } from "../base/Icon.tsx";
-import { courseHref } from "./course-links.ts";
+import { courseHref } from "../place/course-links.ts";
 import { startLearning, useLearning } from "./progress.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 import "./entrance.css";

@@ -1,6 +1,6 @@
 import { progressOfTask, stateOfTask } from "../../course/progress.ts";
 import { useCourseIndex, type LessonEntry } from "./content.ts";
-import { courseHref } from "./course-links.ts";
+import { courseHref } from "../place/course-links.ts";
 import { GuideLinks } from "../guide/GuideLinks.tsx";
 import { BeginAnew } from "./BeginAnew.tsx";
 import { useLearning } from "./progress.ts";

@@ -1,6 +1,6 @@
 import { useEffect } from "react";
 import { useCourseIndex } from "./content.ts";
-import { useCoursePlace } from "./course-place.ts";
+import { useCoursePlace } from "../place/course-place.ts";
 import { CourseList } from "./CourseList.tsx";
 import { LessonView } from "./LessonView.tsx";
 import { startLearning } from "./progress.ts";

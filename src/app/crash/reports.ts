@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import { parseAddress } from "../address/address.ts";
+import { parseAddress } from "../place/address.ts";
 import { time } from "../base/clock.ts";
 import { isMissing } from "../base/parts.ts";
 

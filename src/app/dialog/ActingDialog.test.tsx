@@ -2,7 +2,7 @@ import { cleanup, render, screen, within } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { parse } from "../../nc/parse.ts";
 import { readingOfBlock } from "../editor/block-prompts.ts";
-import { openPrompt } from "../place.ts";
+import { openPrompt } from "../place/place.ts";
 import { changeSettings } from "../base/settings/settings.ts";
 import { CycleDialog } from "./CycleDialog.tsx";
 

@@ -1,6 +1,6 @@
 import { draftOf } from "../edits.ts";
 import { Icon } from "../base/Icon.tsx";
-import { openPrompt, usePlace } from "../place.ts";
+import { openPrompt, usePlace } from "../place/place.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 

@@ -9,7 +9,7 @@ import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { draftOf, setPrompt } from "../edits.ts";
 import { useOutcome } from "../engine/outcome.ts";
-import { openPrompt } from "../place.ts";
+import { openPrompt } from "../place/place.ts";
 import { printedText } from "../printed.ts";
 import { useReading } from "../reading.ts";
 import { changeSettings } from "../base/settings/settings.ts";

@@ -2,7 +2,7 @@ import { Suspense, useEffect } from "react";
 import { isRecalled } from "../../cycles/params.ts";
 import type { ThreadSize } from "../../cycles/thread-sizes.ts";
 import { setPrompts } from "../edits.ts";
-import { useOpenCall } from "../guide/guide-place.ts";
+import { useOpenCall } from "../place/guide-place.ts";
 import { Icon } from "../base/Icon.tsx";
 import { CycleInWork } from "../issue-text.ts";
 import { lazyPart } from "../base/parts.ts";

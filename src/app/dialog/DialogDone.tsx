@@ -4,7 +4,7 @@ import { useVerdict } from "../findings/use-findings.ts";
 import { toneOf } from "../findings/verdict.ts";
 import { VerdictText } from "../findings/VerdictText.tsx";
 import { Icon } from "../base/Icon.tsx";
-import { mayTakeKeyboard, showSection } from "../place.ts";
+import { mayTakeKeyboard, showSection } from "../place/place.ts";
 import { CopyButton } from "../program/CopyButton.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { closeStep } from "../steps.ts";

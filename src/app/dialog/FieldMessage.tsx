@@ -2,7 +2,7 @@ import { useContext } from "react";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { valueInProgram } from "../../program/cycle-values.ts";
 import { Icon } from "../base/Icon.tsx";
-import { goToField } from "../place.ts";
+import { goToField } from "../place/place.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import { CycleInWork, useIssueText } from "../issue-text.ts";
 import { useLengths } from "../lengths.ts";

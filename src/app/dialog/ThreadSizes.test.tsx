@@ -4,7 +4,7 @@ import { afterEach, beforeEach, expect, test } from "vitest";
 import { catalogue } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { draftOf } from "../edits.ts";
-import { openPrompt } from "../place.ts";
+import { openPrompt } from "../place/place.ts";
 import { useReading } from "../reading.ts";
 import { changeSettings } from "../base/settings/settings.ts";
 import { undo } from "../steps.ts";

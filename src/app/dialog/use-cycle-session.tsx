@@ -8,7 +8,7 @@ import { suggestedValue, type SuggestionContext } from "../../program/suggestion
 import { setPrompt, setPrompts } from "../edits.ts";
 import { isAboutTool, isError, type FindingEntry } from "../findings/entry.ts";
 import { useFindings } from "../findings/use-findings.ts";
-import { mayTakeKeyboard, openPrompt, showSection, usePlace } from "../place.ts";
+import { mayTakeKeyboard, openPrompt, showSection, usePlace } from "../place/place.ts";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";

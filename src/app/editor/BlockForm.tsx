@@ -8,7 +8,7 @@ import type { FindingEntry } from "../findings/entry.ts";
 import { Icon } from "../base/Icon.tsx";
 import { CalledTool } from "../operations/CalledTool.tsx";
 import { DescribeCycle } from "../own/DescribeCycle.tsx";
-import { useGuidedBlock } from "../guide/guide-place.ts";
+import { useGuidedBlock } from "../place/guide-place.ts";
 import { useOutcome, type Outcome } from "../engine/outcome.ts";
 import { showFile, useShownBeside } from "../files/shown-file.ts";
 import { placeInFile } from "../issue-text.ts";

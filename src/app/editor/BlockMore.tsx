@@ -1,6 +1,6 @@
 import { Suspense } from "react";
 import { MoreLater } from "../guide/MoreLater.tsx";
-import { useGuidedBlock } from "../guide/guide-place.ts";
+import { useGuidedBlock } from "../place/guide-place.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import type { BlockKind } from "./block-kind.ts";

@@ -1,5 +1,5 @@
 import { Suspense, useState } from "react";
-import { showComparison, type ShowBlock } from "../compare/compare-place.ts";
+import { showComparison, type ShowBlock } from "../place/compare-place.ts";
 import { canSaveFiles } from "../files/file-handle.ts";
 import { shownFile } from "../files/shown-file.ts";
 import type { Obstacle } from "../files/SaveProblem.tsx";

@@ -1,6 +1,6 @@
 import { useEffect, useMemo, useRef, useState } from "react";
 import { useOutcome } from "../engine/outcome.ts";
-import { KEEPS_KEYBOARD } from "../place.ts";
+import { KEEPS_KEYBOARD } from "../place/place.ts";
 import { useLengths } from "../lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { chooseOpenBlock } from "./choose-block.ts";

@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useRef, useState } from "react";
-import type { ShowBlock } from "../compare/compare-place.ts";
+import type { ShowBlock } from "../place/compare-place.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useVerdict } from "../findings/use-findings.ts";
 import { copyProgram } from "../leaving/copy-program.ts";

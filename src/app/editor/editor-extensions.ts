@@ -6,7 +6,7 @@ import { EditorView, highlightSpecialChars, keymap } from "@codemirror/view";
 import type { Texts } from "../../i18n/index.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { guardCopy } from "../leaving/whole-program.ts";
-import { KEEPS_KEYBOARD } from "../place.ts";
+import { KEEPS_KEYBOARD } from "../place/place.ts";
 import { blockMarks } from "./block-marks.ts";
 import { cycleHelp } from "./cycle-help.ts";
 import { klartext } from "./nc-language.ts";

@@ -1,6 +1,6 @@
 import { EditorView } from "@codemirror/view";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { usePlace } from "../place.ts";
+import { usePlace } from "../place/place.ts";
 import { forget } from "../steps.ts";
 import { begin, useEditor } from "../store.ts";
 import { parse } from "../../nc/parse.ts";

@@ -2,7 +2,7 @@ import type { StateEffect } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
 import { shownBlock } from "../approach/shown-view.ts";
 import { useOutcome } from "../engine/outcome.ts";
-import { showSection, usePlace } from "../place.ts";
+import { showSection, usePlace } from "../place/place.ts";
 import type { Playback } from "../../view/playback.ts";
 import { playback } from "../playback.ts";
 import { lengthsOf } from "../lengths.ts";

@@ -10,7 +10,7 @@ import { showFile, useShownBeside } from "../files/shown-file.ts";
 import { isIn, ownPlace } from "../files/shown-findings.ts";
 import { placeInFile } from "../issue-text.ts";
 import type { Program } from "../../nc/program.ts";
-import { showSection } from "../place.ts";
+import { showSection } from "../place/place.ts";
 import { outputInUse } from "../program/output.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";

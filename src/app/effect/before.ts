@@ -1,6 +1,6 @@
 import { create } from "zustand";
 import { useOutcome, type Outcome, type Planned } from "../engine/outcome.ts";
-import { usePlace } from "../place.ts";
+import { usePlace } from "../place/place.ts";
 import { printedText } from "../printed.ts";
 import { readJob } from "../reading.ts";
 import { closeStep } from "../steps.ts";

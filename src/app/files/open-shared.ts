@@ -1,4 +1,4 @@
-import { isShareLink } from "../address/address.ts";
+import { isShareLink } from "../place/address.ts";
 import { untilHere } from "../base/parts.ts";
 import { notice } from "../saving/keep.ts";
 

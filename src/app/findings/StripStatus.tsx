@@ -1,5 +1,5 @@
 import { Icon } from "../base/Icon.tsx";
-import { showSection } from "../place.ts";
+import { showSection } from "../place/place.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useListed, useVerdict } from "./use-findings.ts";
 

@@ -5,7 +5,7 @@ import { positionAsTyped } from "../../program/typed-value.ts";
 import { isSetupPlace, setPlace } from "../dialog/setup-prompts.ts";
 import { writeTyped } from "../dialog/write-value.ts";
 import { setPrompt, setStart, setTool } from "../edits.ts";
-import { goToField, openPrompt, showSection } from "../place.ts";
+import { goToField, openPrompt, showSection } from "../place/place.ts";
 import type { JobReading } from "../reading.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";

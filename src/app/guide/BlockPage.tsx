@@ -14,7 +14,7 @@ import { blockSources } from "./block-source.ts";
 import { whyUnseen } from "./block-unseen.ts";
 import { blockLetter, blockRule, blockWordTexts } from "./block-words.ts";
 import { GuideButton } from "./GuideButton.tsx";
-import { showGuide, useGuidedBlock } from "./guide-place.ts";
+import { showGuide, useGuidedBlock } from "../place/guide-place.ts";
 import { Said, SaidList, SaidOnPage } from "./Said.tsx";
 import { takeIntoBlock } from "./take-value.ts";
 import { useGuideBlocks } from "./use-guide-blocks.ts";

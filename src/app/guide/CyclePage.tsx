@@ -3,7 +3,7 @@ import { isRecalled } from "../../cycles/params.ts";
 import type { CycleNumber, ParamTextId } from "../../cycles/index.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { Said, SaidList, SaidOnPage } from "./Said.tsx";
-import { showGuide } from "./guide-place.ts";
+import { showGuide } from "../place/guide-place.ts";
 import { StepPlayer } from "./StepPlayer.tsx";
 import { useCycleRun } from "./use-cycle-run.ts";
 import { useGuideTexts } from "./use-guide-texts.ts";

@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import { TERMS, type TermId } from "../../i18n/glossary-text.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { showGuide } from "./guide-place.ts";
+import { showGuide } from "../place/guide-place.ts";
 import { Said, SaidOnPage } from "./Said.tsx";
 import { TermUses } from "./TermUses.tsx";
 import { useGlossary } from "./use-glossary.ts";

@@ -11,7 +11,7 @@ import { CyclePage } from "./CyclePage.tsx";
 import { FormLinks, formOfPage, FormPage } from "./FormPage.tsx";
 import { GlossaryPage } from "./GlossaryPage.tsx";
 import { GuideButton } from "./GuideButton.tsx";
-import { hideGuide, showGuide, useGuidePlace, type GuidePath } from "./guide-place.ts";
+import { hideGuide, showGuide, useGuidePlace, type GuidePath } from "../place/guide-place.ts";
 import { OwnCyclePage } from "./OwnCyclePage.tsx";
 import { ParameterPage } from "./ParameterPage.tsx";
 import { isSetupPage, SETUP_PAGES, type SetupPageId } from "./setup-variants.ts";

@@ -13,7 +13,7 @@ import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { AdviceItems } from "./AdviceItems.tsx";
 import { Said, SaidList, SaidOnPage } from "./Said.tsx";
-import { showGuide } from "./guide-place.ts";
+import { showGuide } from "../place/guide-place.ts";
 import { guideSources } from "./guide-source.ts";
 import { StartingValues } from "./StartingValues.tsx";
 import { termsOf } from "./terms.ts";

@@ -1,7 +1,7 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useSettings } from "../base/settings/settings.ts";
-import { showGuide, type GuidePath } from "./guide-place.ts";
+import { showGuide, type GuidePath } from "../place/guide-place.ts";
 import { useAdviceOn, useAdviceTextsSoon } from "./use-advice.ts";
 import { useGuideTextsSoon } from "./use-guide-texts.ts";
 import "./prompt-more.css";

@@ -9,7 +9,7 @@ import { useTexts } from "../base/settings/use-texts.ts";
 import { useEditor } from "../store.ts";
 import { useToolList } from "../tools/work-tools.ts";
 import { Said, SaidList, SaidOnPage } from "./Said.tsx";
-import { showGuide } from "./guide-place.ts";
+import { showGuide } from "../place/guide-place.ts";
 import { setupPageWords } from "./setup-page-words.ts";
 import { SETUP_PAGES, type SetupPageId } from "./setup-variants.ts";
 import { takeSetup } from "./take-value.ts";

@@ -11,7 +11,7 @@ import { shownFile } from "../files/shown-file.ts";
 import { useEditor } from "../store.ts";
 import { withText, type ProgramWork } from "../work.ts";
 import { blockSample } from "./block-samples.ts";
-import { useGuidedBlock } from "./guide-place.ts";
+import { useGuidedBlock } from "../place/guide-place.ts";
 
 /** A block that the guide shows something at: of the open program, or of a sample. */
 export interface BlockSource {

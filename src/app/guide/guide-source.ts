@@ -14,7 +14,7 @@ import { readJob, setJobOf } from "../reading.ts";
 import { handedOn, useEditor } from "../store.ts";
 import { toolTable } from "../tools/work-tools.ts";
 import { useShownBeside } from "../files/shown-file.ts";
-import { useOpenCall } from "./guide-place.ts";
+import { useOpenCall } from "../place/guide-place.ts";
 import { speaksOf } from "./open-call.ts";
 
 /** What the guide shows a cycle with: the operator's own values, or those of the example. */

@@ -13,7 +13,7 @@ import { forgetOutcome, takeOutcome } from "../engine/outcome.ts";
 import { printedText } from "../printed.ts";
 import { changeSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../store.ts";
-import { useOpenCall } from "./guide-place.ts";
+import { useOpenCall } from "../place/guide-place.ts";
 import { guideSources } from "./guide-source.ts";
 import { PromptMore } from "./PromptMore.tsx";
 

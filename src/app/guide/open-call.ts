@@ -2,7 +2,7 @@ import type { Operation } from "../../program/run-types.ts";
 import { shownBeside, useShownBeside } from "../files/shown-file.ts";
 import { isDefinedIn } from "../files/shown-findings.ts";
 import { useEditor } from "../store.ts";
-import { useOpenCall } from "./guide-place.ts";
+import { useOpenCall } from "../place/guide-place.ts";
 
 type Placed = Pick<Operation, "cycle" | "definedLine" | "definedFile">;
 

@@ -12,7 +12,7 @@ import { printedText } from "../printed.ts";
 import { readJob } from "../reading.ts";
 import { forget, undo } from "../steps.ts";
 import { useEditor } from "../store.ts";
-import { useOpenCall } from "./guide-place.ts";
+import { useOpenCall } from "../place/guide-place.ts";
 import { guideSources } from "./guide-source.ts";
 import { takeIntoBlock, takeValue } from "./take-value.ts";
 

@@ -6,7 +6,7 @@ import { untilHere } from "../base/parts.ts";
 import { closeStep } from "../steps.ts";
 import { edit, useEditor } from "../store.ts";
 import type { SizedWord } from "./form-values.ts";
-import { useOpenCall, type OpenCall } from "./guide-place.ts";
+import { useOpenCall, type OpenCall } from "../place/guide-place.ts";
 import { withSetupValue, type SetupPageId } from "./setup-variants.ts";
 import { takeOver } from "./taken.ts";
 

@@ -12,7 +12,7 @@ import { parametersBefore } from "../editor/block-context.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { shownFile, useShownBeside } from "../files/shown-file.ts";
 import { useEditor } from "../store.ts";
-import { useGuidedBlock } from "./guide-place.ts";
+import { useGuidedBlock } from "../place/guide-place.ts";
 
 /** A corner, and a tool, to show forms at. */
 const CORNER: readonly PlaneSegment[] = [{ kind: "line", from: { x: 0, y: 60 }, to: { x: 0, y: 0 } }, {

@@ -8,7 +8,7 @@ import { toolTable } from "../tools/work-tools.ts";
 import { useShownName } from "../files/shown-file.ts";
 import { useEditor } from "../store.ts";
 import { blockSources, fieldOfWord, textWith, type BlockSource } from "./block-source.ts";
-import { useGuidedBlock } from "./guide-place.ts";
+import { useGuidedBlock } from "../place/guide-place.ts";
 import { kindredTools } from "./setup-variants.ts";
 import { compared, type RanValue, type TriedOutcome } from "./tried.ts";
 import { useMade, type MadeForPage } from "./use-made.ts";

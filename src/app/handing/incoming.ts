@@ -1,6 +1,6 @@
 import { create } from "zustand";
 import { hideOwn } from "../own/own-place.ts";
-import { usePlace } from "../place.ts";
+import { usePlace } from "../place/place.ts";
 import type { ReadArchive } from "../saving/archive.ts";
 import { startWork } from "../saving/keep.ts";
 import { hideTools } from "../tools/tool-place.ts";

@@ -17,7 +17,7 @@ import { MeasuredInSection, Measurements } from "../measure/Measurements.tsx";
 import { useMeasuring } from "../measure/measuring.ts";
 import { useLatheSource } from "../measure/source.ts";
 import { lazyPart } from "../base/parts.ts";
-import { KEEPS_KEYBOARD } from "../place.ts";
+import { KEEPS_KEYBOARD } from "../place/place.ts";
 import { reducedMotion } from "../base/settings/appearance.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";

@@ -1,4 +1,4 @@
-import { showSection } from "../place.ts";
+import { showSection } from "../place/place.ts";
 import { Icon } from "../base/Icon.tsx";
 import { issueText, placeInFile } from "../issue-text.ts";
 import { useLengths } from "../lengths.ts";

@@ -15,7 +15,7 @@ import { useOutcome } from "../engine/outcome.ts";
 import { showFile } from "../files/shown-file.ts";
 import { Icon } from "../base/Icon.tsx";
 import { lazyPart } from "../base/parts.ts";
-import { showSection } from "../place.ts";
+import { showSection } from "../place/place.ts";
 import { outputInUse } from "../program/output.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";

@@ -4,7 +4,7 @@ import { SETUP_FIELDS as FIELDS } from "../../program/setup-fields.ts";
 import type { BlankDraft } from "../../program/job.ts";
 import { openText } from "../files/open-program.ts";
 import { Icon } from "../base/Icon.tsx";
-import { usePlace } from "../place.ts";
+import { usePlace } from "../place/place.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { AskedNumber, isUsable } from "./AskedNumber.tsx";
 import { askForOperation } from "./inserting.ts";

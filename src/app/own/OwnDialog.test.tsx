@@ -8,7 +8,7 @@ import { print } from "../../nc/program.ts";
 import { newParameter } from "../../program/own-cycle.ts";
 import { withPrompt } from "../editor/block-prompts.ts";
 import { entryAt } from "../findings/entry.ts";
-import { openPrompt } from "../place.ts";
+import { openPrompt } from "../place/place.ts";
 import { changeSettings } from "../base/settings/settings.ts";
 import { readingOfOwn } from "./own-block.ts";
 import { libraryOf } from "./own-reading.ts";

@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import { showSection, usePlace } from "../place.ts";
+import { showSection, usePlace } from "../place/place.ts";
 import { useEditor } from "../store.ts";
 import { hideTools } from "../tools/tool-place.ts";
 

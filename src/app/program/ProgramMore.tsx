@@ -2,7 +2,7 @@ import { Suspense, useState, type ReactNode } from "react";
 import { handOver, useEditor } from "../store.ts";
 import type { ShownVerdict } from "../findings/verdict.ts";
 import { CompareButton } from "../compare/CompareButton.tsx";
-import type { ShowBlock } from "../compare/compare-place.ts";
+import type { ShowBlock } from "../place/compare-place.ts";
 import { Icon } from "../base/Icon.tsx";
 import { mayLeave } from "../leaving/leaving.ts";
 import { lazyPart } from "../base/parts.ts";

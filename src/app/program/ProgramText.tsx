@@ -1,6 +1,6 @@
 import { memo, useEffect, useMemo, useRef } from "react";
 import { guardCopy } from "../leaving/whole-program.ts";
-import { KEEPS_KEYBOARD } from "../place.ts";
+import { KEEPS_KEYBOARD } from "../place/place.ts";
 import { printedBlocks } from "../printed.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 

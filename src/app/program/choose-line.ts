@@ -1,6 +1,6 @@
 import { askedByMove } from "../../cycles/asked-by-move.ts";
 import { useOutcome } from "../engine/outcome.ts";
-import { openPrompt, showPrompt, showSection, usePlace } from "../place.ts";
+import { openPrompt, showPrompt, showSection, usePlace } from "../place/place.ts";
 import { printedText } from "../printed.ts";
 import type { JobReading } from "../reading.ts";
 import { NOTHING_SELECTED, useSelection } from "../selected.ts";

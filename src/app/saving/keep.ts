@@ -7,7 +7,7 @@ import type { Work } from "../work.ts";
 import { findWorks, keepWork, readWork, type Kept } from "./device.ts";
 import { persistOnce } from "../base/persist.ts";
 import { readSave, SAVE_VERSION } from "./save-file.ts";
-import { showElsewhere } from "./elsewhere.ts";
+import { showElsewhere } from "../place/elsewhere.ts";
 import { answerOthers, askFor, claimNew, claimWork, leaveBehind, onLost, ownedWorks, owns, releaseWork, rememberWork,
   sayChanged } from "./tab.ts";
 

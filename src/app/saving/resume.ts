@@ -1,6 +1,6 @@
 import { begin } from "../store.ts";
 import { findWorks, readWork, type Kept } from "./device.ts";
-import { showElsewhere } from "./elsewhere.ts";
+import { showElsewhere } from "../place/elsewhere.ts";
 import { claimPatiently, keepState, notice, noteWritten, unkeptWorks, useKeeping } from "./keep.ts";
 import { readSave } from "./save-file.ts";
 import { leaveBehind, leftBehind, rememberedWork, rememberWork } from "./tab.ts";

@@ -4,7 +4,7 @@ import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { Icon } from "../base/Icon.tsx";
-import { usePlace } from "../place.ts";
+import { usePlace } from "../place/place.ts";
 import { useFindings } from "../findings/use-findings.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";

@@ -3,7 +3,7 @@ import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
-import { goToField } from "../place.ts";
+import { goToField } from "../place/place.ts";
 import { useReading } from "../reading.ts";
 import { changeSettings } from "../base/settings/settings.ts";
 import { undo } from "../steps.ts";

@@ -3,7 +3,7 @@ import { setTool } from "../edits.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import { Icon } from "../base/Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
-import { goToField } from "../place.ts";
+import { goToField } from "../place/place.ts";
 import { isAboutTool } from "../findings/entry.ts";
 import { useFindings } from "../findings/use-findings.ts";
 import type { JobReading } from "../reading.ts";

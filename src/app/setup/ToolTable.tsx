@@ -3,7 +3,7 @@ import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
 import type { ToolFit } from "../../program/which-tool.ts";
 import { setTool } from "../edits.ts";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
-import { usePlace } from "../place.ts";
+import { usePlace } from "../place/place.ts";
 import type { JobReading } from "../reading.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useToolList } from "../tools/work-tools.ts";

@@ -1,7 +1,7 @@
 import { useMemo, useState } from "react";
 import { menuCycle } from "../chooser/menu.ts";
 import { Icon } from "../base/Icon.tsx";
-import { usePlace } from "../place.ts";
+import { usePlace } from "../place/place.ts";
 import { undoStep } from "../history.ts";
 import { keptPictures } from "../saving/kept-picture.ts";
 import { openWork, useKeeping } from "../saving/keep.ts";

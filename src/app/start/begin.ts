@@ -2,7 +2,7 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import { exampleJob, UNSET } from "../../program/job.ts";
 import { draftOf } from "../edits.ts";
 import { FIRST_PLACE } from "../dialog/setup-prompts.ts";
-import { openPrompt } from "../place.ts";
+import { openPrompt } from "../place/place.ts";
 import { startWork } from "../saving/keep.ts";
 import { useSettings } from "../base/settings/settings.ts";
 

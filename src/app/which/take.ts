@@ -8,7 +8,7 @@ import { withOperation } from "../../program/added-operation.ts";
 import { wantedText } from "../../program/wanted-text.ts";
 import type { Proposal } from "../../report/which/ways.ts";
 import { openText } from "../files/open-program.ts";
-import { openPrompt } from "../place.ts";
+import { openPrompt } from "../place/place.ts";
 import { printedText } from "../printed.ts";
 import { startWork } from "../saving/keep.ts";
 import { outputInUse } from "../program/output.ts";

@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { goHome } from "../address/go-home.ts";
 import { Icon } from "../base/Icon.tsx";
-import type { WorkElsewhere } from "../saving/elsewhere.ts";
+import type { WorkElsewhere } from "../place/elsewhere.ts";
 import { copyWork, takeOver, useKeeping } from "../saving/keep.ts";
 import { freeName } from "../saving/works.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";

@@ -2,7 +2,7 @@ import { useState } from "react";
 import { programOfLines } from "../../../course/start-of.ts";
 import { shownId, type Task, type TaskWords } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
-import { showComparison } from "../../compare/compare-place.ts";
+import { showComparison } from "../../place/compare-place.ts";
 import { startWork } from "../../saving/keep.ts";
 import { handedOn, useEditor } from "../../store.ts";
 import { broughtBy } from "../../work.ts";

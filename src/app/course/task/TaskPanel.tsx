@@ -4,7 +4,7 @@ import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { useOutcome } from "../../engine/outcome.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { usePlace } from "../../place.ts";
+import { usePlace } from "../../place/place.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { useEditor } from "../../store.ts";

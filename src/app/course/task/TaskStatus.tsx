@@ -3,7 +3,7 @@ import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { draftOf } from "../../edits.ts";
-import { openPrompt, showSection } from "../../place.ts";
+import { openPrompt, showSection } from "../../place/place.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { useEditor } from "../../store.ts";

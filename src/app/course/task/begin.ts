@@ -4,7 +4,7 @@ import { startOfTask, toolsOfTask } from "../../../course/start-of.ts";
 import type { Task } from "../../../course/task.ts";
 import { draftOf } from "../../edits.ts";
 import { hideOwn } from "../../own/own-place.ts";
-import { usePlace } from "../../place.ts";
+import { usePlace } from "../../place/place.ts";
 import { openWork, refreshWorks, startWork, useKeeping } from "../../saving/keep.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { hideTools } from "../../tools/tool-place.ts";

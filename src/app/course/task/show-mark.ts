@@ -4,7 +4,7 @@ import { choiceOf } from "../../../program/path-index.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { draftOf } from "../../edits.ts";
 import { chooseFinding } from "../../findings/chosen.ts";
-import { showPrompt, usePlace } from "../../place.ts";
+import { showPrompt, usePlace } from "../../place/place.ts";
 import { playback } from "../../playback.ts";
 import { readJob } from "../../reading.ts";
 import { chooseLine, choosePath } from "../../selection.ts";

@@ -1,5 +1,5 @@
 import type { LessonPage } from "../../course/progress.ts";
-import type { WorkSection } from "../place.ts";
+import type { WorkSection } from "./place.ts";
 
 /** A place of the page that has an address of its own: behind `#`, so that it works in any folder and without a server. */
 export type Address = StartAddress | WorksAddress | CourseAddress | WorkAddress | SheetAddress | ToolsAddress | OwnAddress | GuideAddress;
