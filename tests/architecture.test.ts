@@ -158,7 +158,7 @@ describe("what the start page waits for", () => {
     "src/i18n/index.ts",
     "src/i18n/en/index.ts",
     "src/app/base/settings/use-texts.ts",
-    "src/app/reading.ts",
+    "src/app/document/reading.ts",
     "src/app/engine/client.ts",
   ])("not %s", (name) => expect(reached.get(name)).toBe(undefined));
 

@@ -1,18 +1,18 @@
 import { Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
-import { goHome } from "./address/go-home.ts";
+import { goHome } from "./document/go-home.ts";
 import { useGuidePlace } from "./place/guide-place.ts";
 import { Icon } from "./base/Icon.tsx";
 import { usePlace } from "./place/place.ts";
 import { useElsewhere } from "./place/elsewhere.ts";
 import { useFirstTexts } from "./base/settings/use-first-texts.ts";
-import { useOwnPlace } from "./own/own-place.ts";
-import { useSheetShown } from "./sheet/sheet-place.ts";
+import { useOwnPlace } from "./document/own-place.ts";
+import { useSheetShown } from "./document/sheet-place.ts";
 import { CreateProgram } from "./start/CreateProgram.tsx";
-import { redoStep, undoStep } from "./history.ts";
+import { redoStep, undoStep } from "./document/history.ts";
 import { lazyPart } from "./base/parts.ts";
-import { useSteps } from "./steps.ts";
-import { useEditor } from "./store.ts";
-import { showTools, useToolPlace } from "./tools/tool-place.ts";
+import { useSteps } from "./document/steps.ts";
+import { useEditor } from "./document/store.ts";
+import { showTools, useToolPlace } from "./document/tool-place.ts";
 import { useWorksPlace } from "./place/works-place.ts";
 
 /** Fetched when it is first opened. */

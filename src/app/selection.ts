@@ -9,8 +9,8 @@ import { showChoice } from "./approach/shown-view.ts";
 import { readRows } from "../program/contour-rows.ts";
 import { chooseElement, useContourPlace } from "./place/contour-place.ts";
 import { playback } from "./playback.ts";
-import { NOTHING_SELECTED, useSelection, type Selection } from "./selected.ts";
-import { useEditor } from "./store.ts";
+import { NOTHING_SELECTED, useSelection, type Selection } from "./document/selected.ts";
+import { useEditor } from "./document/store.ts";
 
 const select = (chosen: Partial<Selection>): void => useSelection.setState({ ...NOTHING_SELECTED, ...chosen });
 

@@ -1,14 +1,14 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
-import { hideOwn, showOwn } from "../own/own-place.ts";
+import { hideOwn, showOwn } from "../document/own-place.ts";
 import { openPrompt, showSection, usePlace } from "../place/place.ts";
 import { dismiss, startKeeping, startWork, useKeeping } from "../saving/keep.ts";
-import { begin, useEditor } from "../store.ts";
-import { hideTools, openRow, showTools, useToolPlace } from "../tools/tool-place.ts";
-import { hideWhich, showWhich, useWhichPlace } from "../which/which-place.ts";
+import { begin, useEditor } from "../document/store.ts";
+import { hideTools, openRow, showTools, useToolPlace } from "../document/tool-place.ts";
+import { hideWhich, showWhich, useWhichPlace } from "../document/which-place.ts";
 import { followAddress } from "./follow-address.ts";
-import { goHome } from "./go-home.ts";
+import { goHome } from "../document/go-home.ts";
 
 const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");

@@ -1,13 +1,13 @@
 import { z } from "zod/mini";
 import { useCoursePlace } from "../place/course-place.ts";
-import { useOwnPlace } from "../own/own-place.ts";
+import { useOwnPlace } from "../document/own-place.ts";
 import { useGuidePlace } from "../place/guide-place.ts";
 import { usePlace } from "../place/place.ts";
 import { useElsewhere } from "../place/elsewhere.ts";
-import { useEditor } from "../store.ts";
-import { useSheetPlace } from "../sheet/sheet-place.ts";
-import { useToolPlace } from "../tools/tool-place.ts";
-import { useWhichPlace } from "../which/which-place.ts";
+import { useEditor } from "../document/store.ts";
+import { useSheetPlace } from "../document/sheet-place.ts";
+import { useToolPlace } from "../document/tool-place.ts";
+import { useWhichPlace } from "../document/which-place.ts";
 import { useWorksPlace } from "../place/works-place.ts";
 import { isShareLink, parseAddress, printAddress } from "../place/address.ts";
 import { beginProgram, goTo, here } from "./here.ts";

@@ -1,18 +1,18 @@
 import { useCoursePlace } from "../place/course-place.ts";
-import { hideOwn, showOwn, useOwnPlace } from "../own/own-place.ts";
+import { hideOwn, showOwn, useOwnPlace } from "../document/own-place.ts";
 import { hideGuide, showGuide, useGuidePlace } from "../place/guide-place.ts";
 import { usePlace, type WorkSection } from "../place/place.ts";
 import { useElsewhere } from "../place/elsewhere.ts";
 import { notice, openWork } from "../saving/keep.ts";
-import { useEditor } from "../store.ts";
-import { hideTools, openRow, showKind, showToolNumber, showTools, useToolPlace } from "../tools/tool-place.ts";
-import { toolsOnDevice, useTools } from "../tools/tool-store.ts";
+import { useEditor } from "../document/store.ts";
+import { hideTools, openRow, showKind, showToolNumber, showTools, useToolPlace } from "../document/tool-place.ts";
+import { toolsOnDevice, useTools } from "../document/tool-store.ts";
 import { thirdColumn } from "../base/use-media.ts";
-import { hideWhich, showWhich, useWhichPlace } from "../which/which-place.ts";
+import { hideWhich, showWhich, useWhichPlace } from "../document/which-place.ts";
 import { useWorksPlace } from "../place/works-place.ts";
-import { hideSheet, sheetIsShown, showSheet } from "../sheet/sheet-place.ts";
+import { hideSheet, sheetIsShown, showSheet } from "../document/sheet-place.ts";
 import type { Address, SheetAddress, ToolsAddress, WorkAddress } from "../place/address.ts";
-import { goHome, goToCourse, goToWorks } from "./go-home.ts";
+import { goHome, goToCourse, goToWorks } from "../document/go-home.ts";
 
 const JOB_SECTIONS: readonly WorkSection[] = ["prompts", "setup", "contour", "findings", "program"];
 const PROGRAM_SECTIONS: readonly WorkSection[] = ["text", "block", "structure", "findings"];

@@ -5,11 +5,11 @@ import { approachContext } from "../../program/approach-context.ts";
 import { parametersBefore } from "../editor/block-context.ts";
 import { watchTyped } from "../editor/half-typed.ts";
 import { editProgram, useSession } from "../editor/session.ts";
-import { useShownBeside } from "../files/shown-file.ts";
+import { useShownBeside } from "../document/shown-file.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import { openWordOf, useGuidedBlock } from "../place/guide-place.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import { ApproachDialog } from "./ApproachDialog.tsx";
 import { isFresh, markFresh } from "./fresh-block.ts";
 

@@ -1,6 +1,6 @@
 import { Suspense, useEffect, type ComponentProps } from "react";
 import type { Run } from "../../program/run-types.ts";
-import { useChosen } from "../findings/chosen.ts";
+import { useChosen } from "../document/chosen.ts";
 import { useFindings } from "../findings/use-findings.ts";
 import { LatheView } from "../lathe/LatheView.tsx";
 import type { PlaybackStore } from "../lathe/playback-store.ts";

@@ -6,7 +6,7 @@ import { Icon } from "../base/Icon.tsx";
 import { useLengths } from "../lengths.ts";
 import { copyText, useCopying } from "../program/copy.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import { comparisonText, findingTexts, summaryText, verdictChange, wholeTexts, type Wording } from "./compare-words.ts";
 import { isWriting, tallyOf, type ComparedFile } from "./compared.ts";
 import { Differences, rowsIn } from "./Differences.tsx";

@@ -1,11 +1,11 @@
 import { useEffect, useId, useState } from "react";
-import { decode } from "../editor/encoding.ts";
-import { useShownName } from "../files/shown-file.ts";
+import { decode } from "../document/encoding.ts";
+import { useShownName } from "../document/shown-file.ts";
 import { askForFiles } from "../files/file-handle.ts";
 import { readWork } from "../saving/device.ts";
 import { refreshWorks, useKeeping } from "../saving/keep.ts";
-import { useEditor } from "../store.ts";
-import type { ProgramWork } from "../work.ts";
+import { useEditor } from "../document/store.ts";
+import type { ProgramWork } from "../document/work.ts";
 import { asProgram, openedProgram, textOfFile, withOtherText, type Other } from "./sides.ts";
 import type { CompareTexts } from "../../i18n/en/compare.ts";
 

@@ -9,7 +9,7 @@ import type { Outcome } from "../engine/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import { findingsOf } from "../findings/findings.ts";
 import { judged, type ShownVerdict } from "../findings/verdict.ts";
-import { filesOf, type ProgramWork } from "../work.ts";
+import { filesOf, type ProgramWork } from "../document/work.ts";
 
 /** One text of both works, with what differs in it. */
 export interface ComparedFile {

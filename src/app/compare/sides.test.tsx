@@ -3,9 +3,9 @@ import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob, UNSET } from "../../program/job.ts";
 import { shippedList } from "../../program/tool-list.ts";
 import { changeSettings } from "../base/settings/settings.ts";
-import { begin, edit, setHandedOn } from "../store.ts";
-import { takeTools } from "../tools/tool-store.ts";
-import { shopOf } from "../tools/work-tools.ts";
+import { begin, edit, setHandedOn } from "../document/store.ts";
+import { takeTools } from "../document/tool-store.ts";
+import { shopOf } from "../document/work-tools.ts";
 import { asProgram, openedProgram, presentProgram, withOtherText } from "./sides.ts";
 
 const [cycle] = cuttingCycles;

@@ -1,11 +1,11 @@
-import { decode } from "../editor/encoding.ts";
+import { decode } from "../document/encoding.ts";
 import { LARGEST_PROGRAM } from "../base/limits.ts";
-import { shownFile } from "../files/shown-file.ts";
-import { printedText, programName } from "../printed.ts";
-import { asOpened, handedOn, handOver, useEditor, withHandedOn } from "../store.ts";
-import { shopOf } from "../tools/work-tools.ts";
+import { shownFile } from "../document/shown-file.ts";
+import { printedText, programName } from "../document/printed.ts";
+import { asOpened, handedOn, handOver, useEditor, withHandedOn } from "../document/store.ts";
+import { shopOf } from "../document/work-tools.ts";
 import { fileKey } from "../../program/program-files.ts";
-import { broughtBy, filesOf, isProgram, withText, type ProgramWork, type Work } from "../work.ts";
+import { broughtBy, filesOf, isProgram, withText, type ProgramWork, type Work } from "../document/work.ts";
 
 /** A work as a program, with what it brings along: that of a cycle as it is printed. */
 export function asProgram(work: Work): ProgramWork {

@@ -1,8 +1,8 @@
 import { useEffect, useState } from "react";
 import { outcomeBeside } from "../engine/beside.ts";
 import { isMadeFrom, useOutcome, type Outcome } from "../engine/outcome.ts";
-import { useEditor } from "../store.ts";
-import type { ProgramWork } from "../work.ts";
+import { useEditor } from "../document/store.ts";
+import type { ProgramWork } from "../document/work.ts";
 import { comparedFiles, consequencesOf, type ComparedFile, type Consequences } from "./compared.ts";
 
 /** Two programs with their names, the earlier or other one first. */

@@ -5,7 +5,7 @@ import { sumOf } from "../../program/field.ts";
 import type { RowField } from "../../program/contour-rows.ts";
 import { isPlainNumber, minus } from "../dialog/number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 import { whileTyping } from "../base/typing.ts";
 
 /** What stands grey in an empty field: where a coordinate stays, or what was solved. */

@@ -4,10 +4,10 @@ import { useState } from "react";
 import { afterEach, beforeAll, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob, newRow, type ContourRow } from "../../program/job.ts";
-import { setContour } from "../edits.ts";
+import { setContour } from "../document/edits.ts";
 import { fetchTexts } from "../base/settings/loaded-texts.ts";
-import { undo, useSteps } from "../steps.ts";
-import { begin, useEditor } from "../store.ts";
+import { undo, useSteps } from "../document/steps.ts";
+import { begin, useEditor } from "../document/store.ts";
 import { chooseElement } from "../place/contour-place.ts";
 import { ContourStage } from "./ContourStage.tsx";
 

@@ -5,7 +5,7 @@ import type { ContourRow } from "../../program/job.ts";
 import { formWord } from "../../program/recess-words.ts";
 import { isDiameterWord, recessWords } from "../../program/row-given.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 
 interface Props {
   readonly row: ContourRow;

@@ -6,7 +6,7 @@ import type { RowsReading } from "../../program/contour-rows.ts";
 import type { ContourRow } from "../../program/job.ts";
 import { panned, pinched, toPlace, type Camera, type Place } from "../../view/camera.ts";
 import type { ContourPicture } from "../../view/help/contour-drawing.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 import { cornerSized, hasPoint, isCorner, pointAppended, pointInserted, pointMoved, typed } from "./drawing-edits.ts";
 import type { Edited } from "./row-edits.ts";
 import { aimed, onGrid, type Aim, type GridStep, type Ray, type SnapSpot } from "./snap.ts";

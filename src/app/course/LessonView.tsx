@@ -3,7 +3,7 @@ import { valueIn, withSlid } from "../../course/played.ts";
 import { programOfLines } from "../../course/start-of.ts";
 import type { Lesson } from "../../course/lesson.ts";
 import type { LessonPage } from "../../course/progress.ts";
-import { goToCourse } from "../address/go-home.ts";
+import { goToCourse } from "../document/go-home.ts";
 import { clock } from "../base/clock.ts";
 import { Icon } from "../base/Icon.tsx";
 import { createPlaybackStore } from "../lathe/playback-store.ts";

@@ -1,7 +1,7 @@
 import { shippedList, sameList } from "../../program/tool-list.ts";
 import { programOfLines } from "../../course/start-of.ts";
 import { openProgram } from "../files/open-program.ts";
-import { useTools } from "../tools/tool-store.ts";
+import { useTools } from "../document/tool-store.ts";
 
 /** Opens a program of a lesson as a work, to play with; where the tools of this device are others it brings the shipped ones. */
 export function openToTry(lines: readonly string[]): void {

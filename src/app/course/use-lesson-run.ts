@@ -2,7 +2,7 @@ import { useEffect, useState } from "react";
 import { shippedList } from "../../program/tool-list.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import { askAgain } from "../engine/worker-life.ts";
-import { toolsOnDevice } from "../tools/tool-store.ts";
+import { toolsOnDevice } from "../document/tool-store.ts";
 
 /** Rapid rate of the lessons, mm/min. */
 const RAPID = 10_000;

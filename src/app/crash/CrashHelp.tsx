@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { Icon } from "../base/Icon.tsx";
 import { downloadWorks } from "../saving/rescue.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import { SaveEverything } from "../works/SaveEverything.tsx";
 import { useDeviceTexts } from "../base/use-device-texts.ts";
 import { ReportList } from "./ReportList.tsx";

@@ -1,7 +1,7 @@
 import { useState } from "react";
-import { printedText } from "../printed.ts";
+import { printedText } from "../document/printed.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import { useDeviceTexts } from "../base/use-device-texts.ts";
 import { forgetReports, reportText, useReports } from "./reports.ts";
 

@@ -1,7 +1,7 @@
-import { draftOf } from "../edits.ts";
+import { draftOf } from "../document/edits.ts";
 import { Icon } from "../base/Icon.tsx";
 import { openPrompt, usePlace } from "../place/place.ts";
-import type { JobReading } from "../reading.ts";
+import type { JobReading } from "../document/reading.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 
 /** From the contour back to the prompts: to the one that was left, or past the one that asked for the contour. */

@@ -1,6 +1,6 @@
 import { useEffectEvent, useLayoutEffect, useRef } from "react";
 import { Radio, RadioGroup, type RadioProps } from "react-aria-components/RadioGroup";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 import { suggestionFor, type Prompt, type PromptSession } from "./session.ts";
 
 interface Props {

@@ -7,7 +7,7 @@ import { Icon } from "../base/Icon.tsx";
 import { mayTakeKeyboard, showSection } from "../place/place.ts";
 import { CopyButton } from "../program/CopyButton.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 import { commandsOf, openSuggestions, type PromptSession } from "./session.ts";
 
 const ICONS = { bad: "error", doubt: "warning", none: "info", plain: "check", good: "check" } as const;

@@ -5,7 +5,7 @@ import { givenOf } from "../engine/given.ts";
 import { HelpPicture } from "../help/HelpPicture.tsx";
 import type { Numbers } from "../../view/help/lettering.ts";
 import { useLater } from "../base/Late.tsx";
-import type { JobReading } from "../reading.ts";
+import type { JobReading } from "../document/reading.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 

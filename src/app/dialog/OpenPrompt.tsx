@@ -2,7 +2,7 @@ import { Suspense, useId, useLayoutEffect, useRef, useState, type RefObject } fr
 import { isError, isOpen, type FindingEntry } from "../findings/entry.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 import { isSetupPlace } from "./setup-prompts.ts";
 import { MoreLater } from "../guide/MoreLater.tsx";
 import { ChoiceInput } from "./ChoiceInput.tsx";

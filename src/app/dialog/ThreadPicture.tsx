@@ -2,8 +2,8 @@ import { useMemo } from "react";
 import { threadProfile } from "../../view/thread-profile.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import type { Operation } from "../../program/run-types.ts";
-import { useShownBeside } from "../files/shown-file.ts";
-import { isDefinedIn } from "../files/shown-findings.ts";
+import { useShownBeside } from "../document/shown-file.ts";
+import { isDefinedIn } from "../document/shown-findings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 
 /** Drawing area, pixels. */

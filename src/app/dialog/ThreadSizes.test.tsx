@@ -3,12 +3,12 @@ import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { catalogue } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
-import { draftOf } from "../edits.ts";
+import { draftOf } from "../document/edits.ts";
 import { openPrompt } from "../place/place.ts";
-import { useReading } from "../reading.ts";
+import { useReading } from "../document/reading.ts";
 import { changeSettings } from "../base/settings/settings.ts";
-import { undo } from "../steps.ts";
-import { begin, useEditor } from "../store.ts";
+import { undo } from "../document/steps.ts";
+import { begin, useEditor } from "../document/store.ts";
 import { CycleDialog } from "./CycleDialog.tsx";
 
 const cycle = catalogue.find((c) => c.thread && c.thread.diameters.length === 1);

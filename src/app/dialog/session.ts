@@ -2,7 +2,7 @@ import type { ReactNode } from "react";
 import type { FieldReading } from "../../program/field.ts";
 import { valueAsTyped } from "../../program/typed-value.ts";
 import type { FindingEntry } from "../findings/entry.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 
 /** One prompt of a dialog, in the words of the screen. */
 export interface Prompt {

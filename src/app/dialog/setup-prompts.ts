@@ -5,9 +5,9 @@ import type { SetupPlace } from "../../program/setup.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { Texts } from "../../i18n/index.ts";
 import type { Tool } from "../../kernel/tool.ts";
-import { setBlank, setStart, setTool } from "../edits.ts";
+import { setBlank, setStart, setTool } from "../document/edits.ts";
 import { goToField } from "../place/place.ts";
-import type { JobReading } from "../reading.ts";
+import type { JobReading } from "../document/reading.ts";
 import type { Prompt } from "./session.ts";
 import { inScreenWriting } from "./write-value.ts";
 

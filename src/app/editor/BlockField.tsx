@@ -6,7 +6,7 @@ import { inScreenWriting } from "../dialog/write-value.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 import type { WordField } from "./field.ts";
 
 interface Props {

@@ -2,7 +2,7 @@ import { Suspense } from "react";
 import { MoreLater } from "../guide/MoreLater.tsx";
 import { useGuidedBlock } from "../place/guide-place.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import type { BlockKind } from "./block-kind.ts";
 import type { WordField } from "./field.ts";
 

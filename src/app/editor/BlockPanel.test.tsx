@@ -1,7 +1,7 @@
 import { act, cleanup, render, screen } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { changeLanguage } from "../base/settings/settings.ts";
-import { begin, useEditor } from "../store.ts";
+import { begin, useEditor } from "../document/store.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
 import { closeSession, openSession } from "./session.ts";
 

@@ -1,12 +1,12 @@
 import { Suspense, useState } from "react";
 import { showComparison, type ShowBlock } from "../place/compare-place.ts";
 import { canSaveFiles } from "../files/file-handle.ts";
-import { shownFile } from "../files/shown-file.ts";
+import { shownFile } from "../document/shown-file.ts";
 import type { Obstacle } from "../files/SaveProblem.tsx";
 import type { SaveHow } from "../files/save-back.ts";
 import { lazyPart, untilHere } from "../base/parts.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import { handOverText } from "./session.ts";
 
 /** Fetched when a file is not written at once. */
@@ -41,7 +41,7 @@ export function SaveButton({ name, mayLeave, onSaved, onDownload, showBlock }: P
     if (await mayLeave()) await write("careful");
   };
   const compare = async (bytes: Uint8Array<ArrayBuffer>) => {
-    const { decode } = await import("./encoding.ts");
+    const { decode } = await import("../document/encoding.ts");
     showComparison(showBlock, { name, text: decode(bytes).text });
   };
   if (!canSaveFiles() && !obstacle) return null;

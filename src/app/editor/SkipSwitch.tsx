@@ -1,6 +1,6 @@
 import { useOutcome } from "../engine/outcome.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { changeProgram, useEditor } from "../store.ts";
+import { changeProgram, useEditor } from "../document/store.ts";
 import "./work-files.css";
 
 /** The switch of the control for blocks behind a skip mark, while the program has any. It belongs to the work. */

@@ -6,11 +6,11 @@ import { useTexts } from "../base/settings/use-texts.ts";
 import { chooseOpenBlock } from "./choose-block.ts";
 import { partsOf, type Part, type PartFilter } from "./program-parts.ts";
 import { openBlock, useSession } from "./session.ts";
-import { useShownBeside } from "../files/shown-file.ts";
+import { useShownBeside } from "../document/shown-file.ts";
 import { useWindow } from "./use-window.ts";
 import { OperationList } from "../operations/OperationList.tsx";
 import { doneWords } from "../operations/words.ts";
-import { useToolList } from "../tools/work-tools.ts";
+import { useToolList } from "../document/work-tools.ts";
 
 const FILTERS = ["operations", "all", "labels", "notes"] as const satisfies readonly ("all" | PartFilter)[];
 

@@ -6,10 +6,10 @@ import { addFiles } from "../files/open-program.ts";
 import { Icon } from "../base/Icon.tsx";
 import { fileKey } from "../../program/program-files.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { changeProgram, useEditor } from "../store.ts";
-import { filesOf, withMain, withoutFile, type ProgramWork } from "../work.ts";
+import { changeProgram, useEditor } from "../document/store.ts";
+import { filesOf, withMain, withoutFile, type ProgramWork } from "../document/work.ts";
 import { sessionView } from "./session.ts";
-import { showFile, useShownName } from "../files/shown-file.ts";
+import { showFile, useShownName } from "../document/shown-file.ts";
 import "./work-files.css";
 
 const isProgramText = (text: string): boolean => /BEGIN[ \t]+PGM/i.test(text);

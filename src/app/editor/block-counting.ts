@@ -4,7 +4,7 @@ import { startLines, type Program } from "../../nc/program.ts";
 import type { Run } from "../../program/run-types.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
 import type { Counting } from "../../view/measure/distance.ts";
-import { useShownBeside } from "../files/shown-file.ts";
+import { useShownBeside } from "../document/shown-file.ts";
 import { countsInches } from "./block-prompts.ts";
 import { useSession } from "./session.ts";
 

@@ -8,13 +8,13 @@ import type { CycleParameter, Statement } from "../../nc/statement.ts";
 import { contourBefore } from "../../program/contour-of-text.ts";
 import { decimalsInInches, valueInProgram } from "../../program/cycle-values.ts";
 import { OWN_DECIMALS, ownField } from "../../program/own-cycle.ts";
-import { ownCycle } from "../own/own-reading.ts";
+import { ownCycle } from "../document/own-reading.ts";
 import { feedWord } from "../../program/field.ts";
 import { exampleJob, type SetJob } from "../../program/job.ts";
 import { readDraft, type Draft } from "../../program/read-draft.ts";
 import type { RunFinding } from "../../program/run-types.ts";
 import { entryAt, type FindingEntry } from "../findings/entry.ts";
-import type { JobReading } from "../reading.ts";
+import type { JobReading } from "../document/reading.ts";
 import { parametersBefore, perRevolutionBefore } from "./block-context.ts";
 import { blockValue, parameterAsTyped } from "../../program/typed-value.ts";
 

@@ -10,7 +10,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import { blockAt } from "../../nc/reread.ts";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import { OWN_DECIMALS, type OwnParameter } from "../../program/own-cycle.ts";
-import { ownCycle } from "../own/own-reading.ts";
+import { ownCycle } from "../document/own-reading.ts";
 import { unitOf } from "../dialog/write-value.ts";
 import { readingField } from "./reading-field.ts";
 

@@ -1,8 +1,8 @@
 import { EditorView } from "@codemirror/view";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { usePlace } from "../place/place.ts";
-import { forget } from "../steps.ts";
-import { begin, useEditor } from "../store.ts";
+import { forget } from "../document/steps.ts";
+import { begin, useEditor } from "../document/store.ts";
 import { parse } from "../../nc/parse.ts";
 import { run } from "../../program/run.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
@@ -10,7 +10,7 @@ import { trackOf } from "../../view/playback.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { forgetOutcome, useOutcome, type Planned } from "../engine/outcome.ts";
 import { playback } from "../playback.ts";
-import { filesOf } from "../work.ts";
+import { filesOf } from "../document/work.ts";
 import { followProgram } from "./follow.ts";
 import { closeSession, openBlock, openSession, sessionText, sessionView } from "./session.ts";
 

@@ -17,8 +17,8 @@ import { blockRange } from "./reading-field.ts";
 import { thirdColumn } from "../base/use-media.ts";
 import { isPresent } from "./present.ts";
 import { dispatchEdit, followShown, openBlock, sessionView, useSession } from "./session.ts";
-import { findingsShown } from "../files/shown-findings.ts";
-import { shownBeside } from "../files/shown-file.ts";
+import { findingsShown } from "../document/shown-findings.ts";
+import { shownBeside } from "../document/shown-file.ts";
 
 /** A prompt is opened because the cursor stands at its block: the cursor stays where it is typed on. */
 let cursorLeads = false;

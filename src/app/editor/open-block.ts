@@ -4,15 +4,15 @@ import type { Reading } from "../../nc/reread.ts";
 import type { Draft } from "../../program/read-draft.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
-import type { JobReading } from "../reading.ts";
-import { useOwn } from "../own/own-store.ts";
-import { libraryOf, useOwnCycles } from "../own/own-reading.ts";
+import type { JobReading } from "../document/reading.ts";
+import { useOwn } from "../document/own-store.ts";
+import { libraryOf, useOwnCycles } from "../document/own-reading.ts";
 import { readingOfOwn, type OwnBlock } from "../own/own-block.ts";
 import { watchDraft } from "./half-typed.ts";
 import { problemsOfBlock, readingOfBlock, withPrompt } from "./block-prompts.ts";
 import { editProgram, useSession, type Session } from "./session.ts";
-import { useShownBeside } from "../files/shown-file.ts";
-import { findingsShown } from "../files/shown-findings.ts";
+import { useShownBeside } from "../document/shown-file.ts";
+import { findingsShown } from "../document/shown-findings.ts";
 import { heldWhileTyping } from "../base/typing.ts";
 
 /** What is typed into the prompts of the open block; the text has it as soon as it can be read. */

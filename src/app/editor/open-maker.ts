@@ -4,7 +4,7 @@ import { blockNumbers, startLines } from "../../nc/program.ts";
 import { definitionOf } from "../../program/path-index.ts";
 import type { Run } from "../../program/run-types.ts";
 import { shownBlock, showsPlane, useAskedView } from "../approach/shown-view.ts";
-import { showFile } from "../files/shown-file.ts";
+import { showFile } from "../document/shown-file.ts";
 import { openBlock, readWhole, useSession } from "./session.ts";
 
 /** Opens the block of the program that a step comes from; of a called program the one that calls it. */

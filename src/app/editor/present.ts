@@ -1,6 +1,6 @@
 import { isMadeFrom, type Outcome, type Planned } from "../engine/outcome.ts";
-import { shownFile } from "../files/shown-file.ts";
-import { useEditor } from "../store.ts";
+import { shownFile } from "../document/shown-file.ts";
+import { useEditor } from "../document/store.ts";
 import { sessionText } from "./session.ts";
 
 /** True when a result was made from the work as it stands now, the text in the editor included. */

@@ -3,7 +3,7 @@ import type { Statement } from "../../nc/statement.ts";
 import { actsAtOnce } from "../../program/unproved-blocks.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import { kindOf, type BlockKind } from "./block-kind.ts";
-import { isDefinedIn } from "../files/shown-findings.ts";
+import { isDefinedIn } from "../document/shown-findings.ts";
 
 /** What the list of parts can be narrowed to. */
 export type PartFilter = "operations" | "labels" | "notes";

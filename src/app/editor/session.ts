@@ -7,9 +7,9 @@ import { fileKey } from "../../program/program-files.ts";
 import { plansOnPage } from "../engine/page-plan.ts";
 import { typingGoesOn } from "../engine/quiet.ts";
 import { takeKeptSteps, textKeepers } from "../saving/keep-steps.ts";
-import { closeStep, goesOn, note, type HistoryStep } from "../steps.ts";
-import { setProgram, useEditor } from "../store.ts";
-import { fileOf, withText, type ProgramWork, type WorkFile } from "../work.ts";
+import { closeStep, goesOn, note, type HistoryStep } from "../document/steps.ts";
+import { setProgram, useEditor } from "../document/store.ts";
+import { fileOf, withText, type ProgramWork, type WorkFile } from "../document/work.ts";
 import { changesBetween } from "./block-edits.ts";
 import { dialogEdit } from "./dialog-edit.ts";
 import { editorExtensions } from "./editor-extensions.ts";
@@ -19,7 +19,7 @@ import { withHistory, writtenState } from "./kept-text.ts";
 import { lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
 import { blockRange, cursorBlock, isRead, parameterAt, parameterOffset, readFurther, readingField } from "./reading-field.ts";
 import { createTextView, type TextUpdate, type TextView } from "./text-view.ts";
-import { onShown, shownFile, showFile } from "../files/shown-file.ts";
+import { onShown, shownFile, showFile } from "../document/shown-file.ts";
 import { heldWhileTyping } from "../base/typing.ts";
 
 /** What the panels beside the text show: the blocks, and which one is open. */

@@ -10,8 +10,8 @@ import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { forgetOutcome, takeOutcome } from "../engine/outcome.ts";
 import { changeSettings } from "../base/settings/settings.ts";
-import { useEditor } from "../store.ts";
-import { filesOf } from "../work.ts";
+import { useEditor } from "../document/store.ts";
+import { filesOf } from "../document/work.ts";
 import { WorkFiles } from "./WorkFiles.tsx";
 
 const BESIDE = { name: "DEFINES.H", text: "0 BEGIN PGM DEFINES MM\n1 END PGM DEFINES MM\n", encoding: "utf-8" } as const;

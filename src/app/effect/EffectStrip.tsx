@@ -5,7 +5,7 @@ import { useOutcome } from "../engine/outcome.ts";
 import { StripStatus } from "../findings/StripStatus.tsx";
 import { useVerdict } from "../findings/use-findings.ts";
 import { VerdictText } from "../findings/VerdictText.tsx";
-import type { JobReading } from "../reading.ts";
+import type { JobReading } from "../document/reading.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { followComparing } from "./before.ts";

@@ -2,10 +2,10 @@ import { useState } from "react";
 import type { ParamTextId } from "../../cycles/index.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { Icon } from "../base/Icon.tsx";
-import { readJob } from "../reading.ts";
+import { readJob } from "../document/reading.ts";
 import { useLengths } from "../lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { useEditor, type Editor } from "../store.ts";
+import { useEditor, type Editor } from "../document/store.ts";
 import { pin, settingOf, takeBackPinned, useCompared } from "./before.ts";
 import { COMPARED, numberText } from "./changes.ts";
 

@@ -3,7 +3,7 @@ import { readText } from "../../program/field.ts";
 import { SETUP_FIELDS } from "../../program/setup-fields.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Outcome, Planned } from "../engine/outcome.ts";
-import type { JobReading } from "../reading.ts";
+import type { JobReading } from "../document/reading.ts";
 
 /** What a program does, in numbers. */
 export interface Effect {

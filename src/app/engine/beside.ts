@@ -1,9 +1,9 @@
 import { machineRead } from "../machine/machine-reader.ts";
-import { printedText } from "../printed.ts";
-import { useEditor } from "../store.ts";
-import { controlInUse, machineInUse, machineTextOf, shopOf, toolTable } from "../tools/work-tools.ts";
+import { printedText } from "../document/printed.ts";
+import { useEditor } from "../document/store.ts";
+import { controlInUse, machineInUse, machineTextOf, shopOf, toolTable } from "../document/work-tools.ts";
 import type { Comparer } from "../which/comparison.ts";
-import { filesOf, isProgram, type ProgramWork, type Work } from "../work.ts";
+import { filesOf, isProgram, type ProgramWork, type Work } from "../document/work.ts";
 import type { Outcome } from "./outcome.ts";
 import type { Reported } from "./reported.ts";
 import { rapidOf, USUAL_RAPID } from "./request.ts";

@@ -6,7 +6,7 @@ import { readText } from "../../program/field.ts";
 import type { Job } from "../../program/job.ts";
 import { knownParameters } from "../../program/job-parameters.ts";
 import { SETUP_FIELDS } from "../../program/setup-fields.ts";
-import type { JobReading } from "../reading.ts";
+import type { JobReading } from "../document/reading.ts";
 
 /** The contour of the table. */
 function contourOf(rows: Job["contour"]): Given["contour"] {

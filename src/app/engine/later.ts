@@ -1,6 +1,6 @@
 import { untilHere } from "../base/parts.ts";
 import { atRest } from "../base/rest.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 
 /**
  * Starts the calculation when a work is open, or else when the browser rests: nothing is calculated before, and the first

@@ -1,7 +1,7 @@
-import { chooseFinding } from "../findings/chosen.ts";
-import { clearSelection } from "../selected.ts";
+import { chooseFinding } from "../document/chosen.ts";
+import { clearSelection } from "../document/selected.ts";
 import { heldWhileTyping } from "../base/typing.ts";
-import { filesOf, type ProgramWork, type WorkFile } from "../work.ts";
+import { filesOf, type ProgramWork, type WorkFile } from "../document/work.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 

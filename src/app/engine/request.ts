@@ -4,7 +4,7 @@ import type { MachineData } from "../../program/machine-data.ts";
 import type { Control } from "../../program/plane-types.ts";
 import type { ShopTools } from "../../program/read-tools.ts";
 import { SETUP_FIELDS } from "../../program/setup-fields.ts";
-import type { WorkFile } from "../work.ts";
+import type { WorkFile } from "../document/work.ts";
 
 /** A program to calculate. */
 export interface Request {

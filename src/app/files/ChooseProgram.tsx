@@ -1,6 +1,6 @@
 import { useRef } from "react";
-import { filesOf, type ProgramWork } from "../work.ts";
-import { endChoice, type ProgramChoice } from "./choice.ts";
+import { filesOf, type ProgramWork } from "../document/work.ts";
+import { endChoice, type ProgramChoice } from "../document/choice.ts";
 import { useFilesTexts } from "../base/use-files-texts.ts";
 import { useModal } from "../base/use-modal.ts";
 

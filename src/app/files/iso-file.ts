@@ -1,7 +1,7 @@
 import { untilHere } from "../base/parts.ts";
 import { notice } from "../saving/keep.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import type { WorkFile } from "../work.ts";
+import type { WorkFile } from "../document/work.ts";
 
 /** Whether a text may be DIN/ISO: its reader, which knows, is fetched only then. */
 export const mayBeIso = (text: string): boolean => !/BEGIN PGM/i.test(text) && /^[ \t\ufeff]*(?:%|\/?N?\d*[ \t]*G[ \t]*\d)/im.test(text);

@@ -1,7 +1,7 @@
 import { fileKey } from "../../program/program-files.ts";
 import type { RunFinding } from "../../program/run-types.ts";
 import type { Outcome } from "../engine/outcome.ts";
-import { fileOf, type ProgramWork } from "../work.ts";
+import { fileOf, type ProgramWork } from "../document/work.ts";
 
 /** A file name without its folder. */
 const bare = (name: string): string => name.trim().replace(/^.*[\\/:]/, "");

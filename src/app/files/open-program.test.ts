@@ -4,15 +4,15 @@ import { shippedTools } from "../../program/shipped-tools.ts";
 import { engine } from "../engine/engine.ts";
 import { forgetOutcome, takeOutcome } from "../engine/outcome.ts";
 import { useKeeping } from "../saving/keep.ts";
-import { undo, redo } from "../steps.ts";
-import { begin, changeProgram, useEditor } from "../store.ts";
-import { textsOf } from "../work.ts";
-import { endChoice, useChoice } from "./choice.ts";
+import { undo, redo } from "../document/steps.ts";
+import { begin, changeProgram, useEditor } from "../document/store.ts";
+import { textsOf } from "../document/work.ts";
+import { endChoice, useChoice } from "../document/choice.ts";
 import { plainFiles } from "./file-handle.ts";
 import { LARGEST_PROGRAM } from "../base/limits.ts";
 import { missingFiles } from "./missing-files.ts";
 import { addFiles, openDropped, openFiles } from "./open-program.ts";
-import { shownBeside, shownFile, showFile } from "./shown-file.ts";
+import { shownBeside, shownFile, showFile } from "../document/shown-file.ts";
 
 const pgm = (lines: string) => `0 BEGIN PGM S MM\n${lines}\nEND PGM S MM\n`;
 

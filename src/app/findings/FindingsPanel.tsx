@@ -3,7 +3,7 @@ import { Icon } from "../base/Icon.tsx";
 import { issueText, placeInFile } from "../issue-text.ts";
 import { useLengths } from "../lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { chooseFinding, useChosen } from "./chosen.ts";
+import { chooseFinding, useChosen } from "../document/chosen.ts";
 import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
 import { ResidueTools } from "./ResidueTools.tsx";

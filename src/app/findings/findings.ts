@@ -4,9 +4,9 @@ import { setupQuestions } from "../../program/setup-questions.ts";
 import { placesJoined, workOf } from "../../report/places.ts";
 import { followsQuestion, QUESTIONS } from "../../sim/causes.ts";
 import { stockIssues } from "../../sim/issues.ts";
-import { contourProblems } from "../contour/contour-problems.ts";
+import { contourProblems } from "../document/contour-problems.ts";
 import type { Outcome } from "../engine/outcome.ts";
-import type { JobReading } from "../reading.ts";
+import type { JobReading } from "../document/reading.ts";
 import { inOrder, type FindingEntry } from "./entry.ts";
 import { letterOf, spotOfProof, spotOfRun } from "./spots.ts";
 

@@ -1,7 +1,7 @@
 import { useMemo } from "react";
 import { useOutcome, type Outcome } from "../engine/outcome.ts";
-import { readJob, useReading, type JobReading } from "../reading.ts";
-import { useEditor } from "../store.ts";
+import { readJob, useReading, type JobReading } from "../document/reading.ts";
+import { useEditor } from "../document/store.ts";
 import { isToDo, type FindingEntry } from "./entry.ts";
 import { findingsOf } from "./findings.ts";
 import { judged, type ShownVerdict } from "./verdict.ts";

@@ -4,12 +4,12 @@ import { writer } from "../../i18n/write.ts";
 import { positionAsTyped } from "../../program/typed-value.ts";
 import { isSetupPlace, setPlace } from "../dialog/setup-prompts.ts";
 import { writeTyped } from "../dialog/write-value.ts";
-import { setPrompt, setStart, setTool } from "../edits.ts";
+import { setPrompt, setStart, setTool } from "../document/edits.ts";
 import { goToField, openPrompt, showSection } from "../place/place.ts";
-import type { JobReading } from "../reading.ts";
+import type { JobReading } from "../document/reading.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 import { isAboutTool, type FindingEntry } from "./entry.ts";
 import { nearestOf, type FindingsHost, type Mend, type Target } from "./host.ts";
 

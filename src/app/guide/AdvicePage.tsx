@@ -1,6 +1,6 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { changeSettings, useSettings } from "../base/settings/settings.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import { AdviceItems } from "./AdviceItems.tsx";
 import { CuttingDataTable } from "./CuttingDataTable.tsx";
 import { MaterialChoice } from "./MaterialChoice.tsx";

@@ -9,7 +9,7 @@ import type { WordField } from "../editor/field.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import { blockSources } from "./block-source.ts";
 import { whyUnseen } from "./block-unseen.ts";
 import { blockLetter, blockRule, blockWordTexts } from "./block-words.ts";

@@ -2,7 +2,7 @@ import { useEffect, useRef } from "react";
 import { catalogue, cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
 import { isRecalled } from "../../cycles/params.ts";
 import { Icon } from "../base/Icon.tsx";
-import { useOwnCycles } from "../own/own-reading.ts";
+import { useOwnCycles } from "../document/own-reading.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { AdvicePage } from "./AdvicePage.tsx";
 import { BlockLinks, BlockPage } from "./BlockPage.tsx";

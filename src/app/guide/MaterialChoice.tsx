@@ -1,6 +1,6 @@
-import { setMaterial } from "../edits.ts";
+import { setMaterial } from "../document/edits.ts";
 import { changeSettings, useSettings } from "../base/settings/settings.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import { useAdviceTexts, useCuttingTable, useMaterialOfWork } from "./use-advice.ts";
 
 function Materials() {

@@ -8,7 +8,7 @@ import { unitOf } from "../dialog/write-value.ts";
 import { givenOf } from "../engine/given.ts";
 import { HelpPicture } from "../help/HelpPicture.tsx";
 import { Icon } from "../base/Icon.tsx";
-import { readJob } from "../reading.ts";
+import { readJob } from "../document/reading.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { AdviceItems } from "./AdviceItems.tsx";

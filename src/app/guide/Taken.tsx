@@ -2,7 +2,7 @@ import { useEffect } from "react";
 import { formatNumber } from "../../i18n/number.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useSettings } from "../base/settings/settings.ts";
-import { undo } from "../steps.ts";
+import { undo } from "../document/steps.ts";
 import { keepFocus } from "./keep-focus.ts";
 import { forgetTaken, useTaken } from "./taken.ts";
 import { useGuideTexts } from "./use-guide-texts.ts";

@@ -7,9 +7,9 @@ import { kindOf, type BlockKind } from "../editor/block-kind.ts";
 import { fieldsOf } from "../editor/block-fields.ts";
 import { wordOfField } from "../editor/block-guide.ts";
 import type { WordField } from "../editor/field.ts";
-import { shownFile } from "../files/shown-file.ts";
-import { useEditor } from "../store.ts";
-import { withText, type ProgramWork } from "../work.ts";
+import { shownFile } from "../document/shown-file.ts";
+import { useEditor } from "../document/store.ts";
+import { withText, type ProgramWork } from "../document/work.ts";
 import { blockSample } from "./block-samples.ts";
 import { useGuidedBlock } from "../place/guide-place.ts";
 

@@ -6,14 +6,14 @@ import { exampleJob, UNSET, type Job, type SetJob, type SpindleDraft } from "../
 import type { Operation } from "../../program/run-types.ts";
 import { positionAsTyped } from "../../program/typed-value.ts";
 import { rowsOf } from "../../program/wanted-shape.ts";
-import { broughtBy } from "../work.ts";
+import { broughtBy } from "../document/work.ts";
 import { outcomeBeside } from "../engine/beside.ts";
 import { useOutcome, type Outcome } from "../engine/outcome.ts";
-import { printedText } from "../printed.ts";
-import { readJob, setJobOf } from "../reading.ts";
-import { handedOn, useEditor } from "../store.ts";
-import { toolTable } from "../tools/work-tools.ts";
-import { useShownBeside } from "../files/shown-file.ts";
+import { printedText } from "../document/printed.ts";
+import { readJob, setJobOf } from "../document/reading.ts";
+import { handedOn, useEditor } from "../document/store.ts";
+import { toolTable } from "../document/work-tools.ts";
+import { useShownBeside } from "../document/shown-file.ts";
 import { useOpenCall } from "../place/guide-place.ts";
 import { speaksOf } from "./open-call.ts";
 

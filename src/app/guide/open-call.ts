@@ -1,7 +1,7 @@
 import type { Operation } from "../../program/run-types.ts";
-import { shownBeside, useShownBeside } from "../files/shown-file.ts";
-import { isDefinedIn } from "../files/shown-findings.ts";
-import { useEditor } from "../store.ts";
+import { shownBeside, useShownBeside } from "../document/shown-file.ts";
+import { isDefinedIn } from "../document/shown-findings.ts";
+import { useEditor } from "../document/store.ts";
 import { useOpenCall } from "../place/guide-place.ts";
 
 type Placed = Pick<Operation, "cycle" | "definedLine" | "definedFile">;

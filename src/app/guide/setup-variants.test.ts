@@ -5,9 +5,9 @@ import { parse } from "../../nc/parse.ts";
 import { exampleJob, type SetJob } from "../../program/job.ts";
 import { run } from "../../program/run.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
-import { printedText } from "../printed.ts";
-import { forget, undo } from "../steps.ts";
-import { useEditor } from "../store.ts";
+import { printedText } from "../document/printed.ts";
+import { forget, undo } from "../document/steps.ts";
+import { useEditor } from "../document/store.ts";
 import { SETUP_PAGES, setupVariants, type SetupPageId } from "./setup-variants.ts";
 import { takeSetup } from "./take-value.ts";
 

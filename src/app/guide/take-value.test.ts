@@ -8,10 +8,10 @@ import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { forgetOutcome, takeOutcome } from "../engine/outcome.ts";
 
-import { printedText } from "../printed.ts";
-import { readJob } from "../reading.ts";
-import { forget, undo } from "../steps.ts";
-import { useEditor } from "../store.ts";
+import { printedText } from "../document/printed.ts";
+import { readJob } from "../document/reading.ts";
+import { forget, undo } from "../document/steps.ts";
+import { useEditor } from "../document/store.ts";
 import { useOpenCall } from "../place/guide-place.ts";
 import { guideSources } from "./guide-source.ts";
 import { takeIntoBlock, takeValue } from "./take-value.ts";

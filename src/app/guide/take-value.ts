@@ -1,10 +1,10 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { SPINDLE } from "../../report/advice/advise.ts";
-import { setPrompt, setSpindle } from "../edits.ts";
+import { setPrompt, setSpindle } from "../document/edits.ts";
 import type { BlockKind } from "../editor/block-kind.ts";
 import { untilHere } from "../base/parts.ts";
-import { closeStep } from "../steps.ts";
-import { edit, useEditor } from "../store.ts";
+import { closeStep } from "../document/steps.ts";
+import { edit, useEditor } from "../document/store.ts";
 import type { SizedWord } from "./form-values.ts";
 import { useOpenCall, type OpenCall } from "../place/guide-place.ts";
 import { withSetupValue, type SetupPageId } from "./setup-variants.ts";

@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import { useSteps, type HistoryStep } from "../steps.ts";
+import { useSteps, type HistoryStep } from "../document/steps.ts";
 
 /** A value that was taken over into the work from a page of the guide, and the step of undo that it became. */
 export interface TakenValue {

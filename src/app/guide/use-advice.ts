@@ -10,7 +10,7 @@ import { readCuttingTable, usualTable, type CutMaterial, type CuttingTable } fro
 import { useOutcome } from "../engine/outcome.ts";
 import { laterTexts } from "../base/settings/later-texts.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import { useSpeaksOf } from "./open-call.ts";
 
 /** What advice says, in the screen language. */

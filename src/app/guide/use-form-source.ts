@@ -10,8 +10,8 @@ import { readyApproach, wordsOfPoint, type ApproachContext, type ReadyApproach }
 import { suggestedForms } from "../../view/approach/forms.ts";
 import { parametersBefore } from "../editor/block-context.ts";
 import { useOutcome } from "../engine/outcome.ts";
-import { shownFile, useShownBeside } from "../files/shown-file.ts";
-import { useEditor } from "../store.ts";
+import { shownFile, useShownBeside } from "../document/shown-file.ts";
+import { useEditor } from "../document/store.ts";
 import { useGuidedBlock } from "../place/guide-place.ts";
 
 /** A corner, and a tool, to show forms at. */

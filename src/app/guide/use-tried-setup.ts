@@ -1,6 +1,6 @@
 import { useCallback } from "react";
 import type { Cycle } from "../../cycles/define.ts";
-import { toolTable } from "../tools/work-tools.ts";
+import { toolTable } from "../document/work-tools.ts";
 import { guideSources, ranBeside, useGuideSource } from "./guide-source.ts";
 import { setupVariants, type SetupPageId } from "./setup-variants.ts";
 import { compared, type RanValue, type TriedOutcome } from "./tried.ts";

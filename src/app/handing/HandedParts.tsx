@@ -1,7 +1,7 @@
 import { Suspense } from "react";
 import { lazyPart } from "../base/parts.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { handedOn, useEditor } from "../store.ts";
+import { handedOn, useEditor } from "../document/store.ts";
 import { useTaughtShown } from "../course/teach/taught-shown.ts";
 import { useIncoming } from "./incoming.ts";
 

@@ -2,7 +2,7 @@ import { useMemo } from "react";
 import { cellOf } from "../../program/tool-entry.ts";
 import { toolsBeside } from "../../program/tool-difference.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { useTools } from "../tools/tool-store.ts";
+import { useTools } from "../document/tool-store.ts";
 import { HandingDialog } from "../base/HandingDialog.tsx";
 import { leaveIncoming, takeIncoming, useIncoming, type Incoming } from "./incoming.ts";
 import { inMyTable } from "./in-my-table.ts";

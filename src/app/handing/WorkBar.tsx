@@ -3,7 +3,7 @@ import type { HandedTexts } from "../../i18n/en/handed.ts";
 import type { Control } from "../../program/plane-types.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useSettings } from "../base/settings/settings.ts";
-import { handedOn, useEditor } from "../store.ts";
+import { handedOn, useEditor } from "../document/store.ts";
 import { nameOfMachine } from "./machine-name.ts";
 import { useHandedTexts } from "./use-handed-texts.ts";
 import { WorkTools } from "./WorkTools.tsx";

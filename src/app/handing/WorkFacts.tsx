@@ -2,11 +2,11 @@ import { useMemo, type ReactNode } from "react";
 import type { HandedTexts } from "../../i18n/en/handed.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { parse } from "../../nc/parse.ts";
-import { printedText } from "../printed.ts";
+import { printedText } from "../document/printed.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { nameOfMachine } from "./machine-name.ts";
-import { filesOf, isProgram, textsOf, type Work } from "../work.ts";
+import { filesOf, isProgram, textsOf, type Work } from "../document/work.ts";
 
 /** Bytes of a text as it is kept. */
 const sizeOf = (text: string): number => new TextEncoder().encode(text).length;

@@ -5,8 +5,8 @@ import { toolsBeside, type KeepAs, type KeptTools, type ToolBeside } from "../..
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { Icon } from "../base/Icon.tsx";
 import { useSettings } from "../base/settings/settings.ts";
-import { handedOn, useEditor } from "../store.ts";
-import { useTools } from "../tools/tool-store.ts";
+import { handedOn, useEditor } from "../document/store.ts";
+import { useTools } from "../document/tool-store.ts";
 import { HandingDialog } from "../base/HandingDialog.tsx";
 import { inMyTable } from "./in-my-table.ts";
 import { nameOfMachine } from "./machine-name.ts";

@@ -1,10 +1,10 @@
 import { create } from "zustand";
-import { hideOwn } from "../own/own-place.ts";
+import { hideOwn } from "../document/own-place.ts";
 import { usePlace } from "../place/place.ts";
 import type { ReadArchive } from "../saving/archive.ts";
 import { startWork } from "../saving/keep.ts";
-import { hideTools } from "../tools/tool-place.ts";
-import type { Work } from "../work.ts";
+import { hideTools } from "../document/tool-place.ts";
+import type { Work } from "../document/work.ts";
 
 /** A work that came from elsewhere and waits for a word: nothing is opened before. */
 export interface Incoming {

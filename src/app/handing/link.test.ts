@@ -8,7 +8,7 @@ import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS, type CellName } from "../../p
 import { shippedList } from "../../program/tool-list.ts";
 import { LARGEST_PROGRAM } from "../base/limits.ts";
 import { plainWork } from "../saving/save-file.ts";
-import type { ProgramWork, Work } from "../work.ts";
+import type { ProgramWork, Work } from "../document/work.ts";
 import { LINK_MARK, linkOf, readLink } from "./link.ts";
 import { COMMON } from "./words-of-links.ts";
 

@@ -3,7 +3,7 @@ import { unpackedText } from "../base/unpack.ts";
 import { fileNameOf } from "../base/file-name.ts";
 import { LARGEST_PROGRAM } from "../base/limits.ts";
 import { plainWork } from "../saving/save-file.ts";
-import type { Work } from "../work.ts";
+import type { Work } from "../document/work.ts";
 import { COMMON } from "./words-of-links.ts";
 
 /** What stands between the page's address and the work: the form of the link. Newer forms have higher numbers. */

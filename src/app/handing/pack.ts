@@ -1,12 +1,12 @@
 import { rowsCalled } from "../../program/tool-list.ts";
 import { time } from "../base/clock.ts";
-import { draftOf } from "../edits.ts";
+import { draftOf } from "../document/edits.ts";
 import { reportOf } from "../engine/beside.ts";
-import { fileOfJob } from "../printed.ts";
-import { setJobOf } from "../reading.ts";
+import { fileOfJob } from "../document/printed.ts";
+import { setJobOf } from "../document/reading.ts";
 import { writeArchive } from "../saving/archive.ts";
-import { controlInUse, listInUse, machineInUse } from "../tools/work-tools.ts";
-import { isProgram, type Work } from "../work.ts";
+import { controlInUse, listInUse, machineInUse } from "../document/work-tools.ts";
+import { isProgram, type Work } from "../document/work.ts";
 import type { Job } from "../../program/job.ts";
 
 /** The open work, ready to leave. */

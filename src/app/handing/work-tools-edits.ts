@@ -4,12 +4,12 @@ import { fileKey } from "../../program/program-files.ts";
 import { withCalls } from "../../program/renumber-calls.ts";
 import { keptBeside, renumberedTools, type KeepAs, type KeptTools, type ToolBeside } from "../../program/tool-difference.ts";
 import { editProgram, sessionView, useSession } from "../editor/session.ts";
-import { shownFile } from "../files/shown-file.ts";
-import { setJobOf } from "../reading.ts";
-import { asOneStep } from "../steps.ts";
-import { changeProgram, edit, handedOn, handOver, setHandedOn, useEditor } from "../store.ts";
-import { editTools, useTools } from "../tools/tool-store.ts";
-import { broughtBy, textsOf, withText, type ProgramWork } from "../work.ts";
+import { shownFile } from "../document/shown-file.ts";
+import { setJobOf } from "../document/reading.ts";
+import { asOneStep } from "../document/steps.ts";
+import { changeProgram, edit, handedOn, handOver, setHandedOn, useEditor } from "../document/store.ts";
+import { editTools, useTools } from "../document/tool-store.ts";
+import { broughtBy, textsOf, withText, type ProgramWork } from "../document/work.ts";
 
 type Moved = KeptTools["moved"];
 

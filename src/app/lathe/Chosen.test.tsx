@@ -6,8 +6,8 @@ import { exampleJob } from "../../program/job.ts";
 import { run } from "../../program/run.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { pathRole, toolpath } from "../../view/scene.ts";
-import { printedText } from "../printed.ts";
-import { NOTHING_SELECTED, useSelection } from "../selected.ts";
+import { printedText } from "../document/printed.ts";
+import { NOTHING_SELECTED, useSelection } from "../document/selected.ts";
 import { ChosenPath } from "./Chosen.tsx";
 
 afterEach(() => {

@@ -8,7 +8,7 @@ import { shippedTools } from "../../program/shipped-tools.ts";
 import { pathStretches } from "../../view/passes.ts";
 import { trackOf } from "../../view/playback.ts";
 import { manualClock } from "../base/clock.ts";
-import { printedText } from "../printed.ts";
+import { printedText } from "../document/printed.ts";
 import { PassLines } from "./PassLines.tsx";
 import { createPlaybackStore } from "./playback-store.ts";
 

@@ -9,7 +9,7 @@ import { surfacesOf } from "../../view/material/surfaces.ts";
 import { stretchData } from "../../view/path.ts";
 import { trackOf } from "../../view/playback.ts";
 import { manualClock } from "../base/clock.ts";
-import { printedText } from "../printed.ts";
+import { printedText } from "../document/printed.ts";
 import { RunningMove } from "./RunningMove.tsx";
 import { createPlaybackStore } from "./playback-store.ts";
 

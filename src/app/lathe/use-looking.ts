@@ -1,6 +1,6 @@
 import { useEffect, useEffectEvent } from "react";
 import { useOutcome } from "../engine/outcome.ts";
-import { chooseFinding, useChosen } from "../findings/chosen.ts";
+import { chooseFinding, useChosen } from "../document/chosen.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 import type { Viewport } from "./viewport.ts";
 import type { LookAt } from "./places.ts";

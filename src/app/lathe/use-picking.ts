@@ -4,7 +4,7 @@ import { toPlace, type Place } from "../../view/camera.ts";
 import { moveAt, positionNear } from "../../view/pick.ts";
 import { createHover, type Hover } from "./Chosen.tsx";
 import { chooseMove, elementNear } from "../selection.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import { useTold } from "./told.ts";
 import type { Viewport } from "./viewport.ts";
 

@@ -4,9 +4,9 @@ import type { Lengths } from "../../i18n/lengths.ts";
 import { toneOf, type ShownVerdict } from "../findings/verdict.ts";
 import { verdictReasons, verdictTitle } from "../findings/verdict-words.ts";
 import { closeCopying, useCopying } from "../program/copy.ts";
-import { useFileKind } from "../program/output.ts";
+import { useFileKind } from "../document/output.ts";
 import { useLengths } from "../lengths.ts";
-import { blockCount } from "../printed.ts";
+import { blockCount } from "../document/printed.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 
 /** What is to be known of a program that is not all well. */

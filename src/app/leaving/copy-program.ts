@@ -1,5 +1,5 @@
 import type { Job } from "../../program/job.ts";
-import { leavingText, printedText } from "../printed.ts";
+import { leavingText, printedText } from "../document/printed.ts";
 import { copyText } from "../program/copy.ts";
 import { mayLeave } from "./leaving.ts";
 

@@ -3,8 +3,8 @@ import { isMadeFrom, useOutcome } from "../engine/outcome.ts";
 import { isError, isToDo, type FindingEntry } from "../findings/entry.ts";
 import { presentFindings } from "../findings/use-findings.ts";
 import type { ShownVerdict } from "../findings/verdict.ts";
-import { readJob } from "../reading.ts";
-import { useEditor } from "../store.ts";
+import { readJob } from "../document/reading.ts";
+import { useEditor } from "../document/store.ts";
 
 /** The ways in which a program leaves the page. */
 export type Way = "copy" | "save" | "download" | "share";

@@ -1,6 +1,6 @@
 import { presentFindings } from "../findings/use-findings.ts";
 import { copyJob, copyProgram } from "./copy-program.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 
 /** True when a piece of text is a whole program: to take it along is to copy the program, however it is done. */
 const isWholeProgram = (text: string): boolean =>

@@ -2,7 +2,7 @@ import { useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
 import type { Pt } from "../../kernel/point.ts";
 import { toPlace, type Camera, type Place } from "../../view/camera.ts";
 import type { StandingMeasurement } from "../../view/measure/layout.ts";
-import { setMeasured } from "../edits.ts";
+import { setMeasured } from "../document/edits.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useMeasureTexts, type MeasurementWords } from "./measure-words.ts";
 

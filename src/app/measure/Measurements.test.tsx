@@ -3,9 +3,9 @@ import { afterEach, beforeEach, expect, test } from "vitest";
 import { catalogue } from "../../cycles/index.ts";
 import { at } from "../../kernel/point.ts";
 import { exampleJob } from "../../program/job.ts";
-import { setMeasured } from "../edits.ts";
+import { setMeasured } from "../document/edits.ts";
 import { changeSettings } from "../base/settings/settings.ts";
-import { begin } from "../store.ts";
+import { begin } from "../document/store.ts";
 import { MeasuredInSection } from "./Measurements.tsx";
 
 const cycle = catalogue.find(({ number }) => number === 812);

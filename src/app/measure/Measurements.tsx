@@ -1,8 +1,8 @@
 import { Suspense } from "react";
-import { measuredIn } from "../edits.ts";
+import { measuredIn } from "../document/edits.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { lazyPart } from "../base/parts.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import type { MeasuringShown } from "./measuring.ts";
 import type { MeasureSource } from "./source.ts";
 

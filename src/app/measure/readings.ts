@@ -2,8 +2,8 @@ import { useMemo } from "react";
 import type { Measurement } from "../../kernel/measured.ts";
 import { chainOfRing } from "../../view/measure/edges.ts";
 import { readMeasurement, type MeasurementNow } from "../../view/measure/reading.ts";
-import { measuredIn } from "../edits.ts";
-import { useEditor } from "../store.ts";
+import { measuredIn } from "../document/edits.ts";
+import { useEditor } from "../document/store.ts";
 import type { MeasurableRun } from "./source.ts";
 
 /** The measurements of a plane as they are now. */

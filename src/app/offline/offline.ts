@@ -1,5 +1,5 @@
 import { time } from "../base/clock.ts";
-import { handOver } from "../store.ts";
+import { handOver } from "../document/store.ts";
 import { useVersion } from "../base/version.ts";
 
 /** A page that stays open looks for a newer version when it is come back to, not more often than this, ms. */

@@ -7,7 +7,7 @@ import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { lazyPart } from "../base/parts.ts";
 import { ToolWords } from "../setup/tool-words.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { useToolList } from "../tools/work-tools.ts";
+import { useToolList } from "../document/work-tools.ts";
 import "./operations.css";
 
 const ToolDialog = lazyPart(async () => ({ default: (await import("./ToolDialog.tsx")).ToolDialog }));

@@ -7,7 +7,7 @@ import { Icon } from "../base/Icon.tsx";
 import { usePlace } from "../place/place.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { AskedNumber, isUsable } from "./AskedNumber.tsx";
-import { askForOperation } from "./inserting.ts";
+import { askForOperation } from "../document/inserting.ts";
 import "./operations.css";
 
 const USUAL: BlankDraft = { outside: "80", bore: "0", length: "100", allowance: "1" };

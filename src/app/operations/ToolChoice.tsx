@@ -3,7 +3,7 @@ import type { ToolFit } from "../../program/which-tool.ts";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { ToolWords, useToolDetails, useToolVerdict } from "../setup/tool-words.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { useToolList } from "../tools/work-tools.ts";
+import { useToolList } from "../document/work-tools.ts";
 
 /** Edge length of an insert drawing, px. */
 const DRAWING = 40;

@@ -3,8 +3,8 @@ import { duplicatedOperation, isRefused, movedOperation, retooledOperation, swit
   type Refusal } from "../../program/operation-edits.ts";
 import { isOff, operationsOf } from "../../program/operations.ts";
 import { editProgram, useSession } from "../editor/session.ts";
-import { asOneStep } from "../steps.ts";
-import { changeProgram, useEditor } from "../store.ts";
+import { asOneStep } from "../document/steps.ts";
+import { changeProgram, useEditor } from "../document/store.ts";
 import { openingBlock } from "./operation-rows.ts";
 
 const present = (): Program => useSession.getState().reading.program;

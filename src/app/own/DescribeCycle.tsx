@@ -3,9 +3,9 @@ import { isKnownCycle } from "../../program/own-cycle.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { describeBlock, isFull } from "./own-edits.ts";
-import { showOwn } from "./own-place.ts";
-import { libraryOf } from "./own-reading.ts";
-import { useOwn } from "./own-store.ts";
+import { showOwn } from "../document/own-place.ts";
+import { libraryOf } from "../document/own-reading.ts";
+import { useOwn } from "../document/own-store.ts";
 
 /** The way from a block whose cycle nobody here knows to its description, which the text of the block proposes. */
 export function DescribeCycle({ statement }: { readonly statement: StatementOf<"cycle"> }) {

@@ -6,8 +6,8 @@ import type { OwnCycle } from "../../program/own-cycle.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { showOwn } from "./own-place.ts";
-import { useOwnCycles } from "./own-reading.ts";
+import { showOwn } from "../document/own-place.ts";
+import { useOwnCycles } from "../document/own-reading.ts";
 
 interface Rows {
   readonly cycles: readonly OwnCycle[];

@@ -11,8 +11,8 @@ import { entryAt } from "../findings/entry.ts";
 import { openPrompt } from "../place/place.ts";
 import { changeSettings } from "../base/settings/settings.ts";
 import { readingOfOwn } from "./own-block.ts";
-import { libraryOf } from "./own-reading.ts";
-import { takeOwn, useOwn } from "./own-store.ts";
+import { libraryOf } from "../document/own-reading.ts";
+import { takeOwn, useOwn } from "../document/own-store.ts";
 import { OwnDialog } from "./OwnDialog.tsx";
 
 const t = texts("en");

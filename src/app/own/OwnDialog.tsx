@@ -12,9 +12,9 @@ import { useSettings } from "../base/settings/settings.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import type { OwnBlock, OwnPrompt } from "./own-block.ts";
-import { showOwn } from "./own-place.ts";
-import { libraryOf } from "./own-reading.ts";
-import { useOwn } from "./own-store.ts";
+import { showOwn } from "../document/own-place.ts";
+import { libraryOf } from "../document/own-reading.ts";
+import { useOwn } from "../document/own-store.ts";
 
 interface Props {
   readonly block: OwnBlock;

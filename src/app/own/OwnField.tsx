@@ -7,7 +7,7 @@ import { Icon } from "../base/Icon.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 
 /** What is wrong with a field, read out when it changes. What is only not there yet is said calmly. */
 export function OwnProblems({ id, problems, text }: { readonly id: string; readonly problems: readonly OwnProblem[];

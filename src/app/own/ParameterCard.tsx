@@ -2,7 +2,7 @@ import { useId } from "react";
 import { fieldId, OWN_KINDS, type OwnCell, type OwnKind, type OwnParameterEntry, type OwnProblem } from "../../program/own-cycle.ts";
 import { Icon, type IconName } from "../base/Icon.tsx";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 import { moveParameter, removeParameter, setOwnParameter } from "./own-edits.ts";
 import { OwnField } from "./OwnField.tsx";
 

@@ -2,7 +2,7 @@ import { z } from "zod/mini";
 import type { OwnList } from "../../program/own-library.ts";
 import { keepTable } from "../base/device-table.ts";
 import { notice } from "../saving/keep.ts";
-import { takeOwn, useOwn } from "./own-store.ts";
+import { takeOwn, useOwn } from "../document/own-store.ts";
 
 /*
  * The own cycles are kept on the device as soon as there is one. All tabs share them: what one tab changes the others take over.

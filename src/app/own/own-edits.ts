@@ -1,8 +1,8 @@
 import type { StatementOf } from "../../nc/statement.ts";
 import { describedFrom, newParameter, OWN_SIZES, type OwnEntry, type OwnParameterEntry } from "../../program/own-cycle.ts";
 import { freeCycle, freeId, mergedLibrary, type OwnList } from "../../program/own-library.ts";
-import { libraryOf } from "./own-reading.ts";
-import { editOwn, useOwn } from "./own-store.ts";
+import { libraryOf } from "../document/own-reading.ts";
+import { editOwn, useOwn } from "../document/own-store.ts";
 
 /** Numbers of own cycles usually begin here: those below are the control's. */
 const FIRST_OWN = 300;

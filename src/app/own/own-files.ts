@@ -3,9 +3,9 @@ import { OWN_SIZES } from "../../program/own-cycle.ts";
 import { readLibraryFile, writeLibrary } from "../../program/own-library.ts";
 import { downloadText } from "../base/download.ts";
 import { takeEntries } from "./own-edits.ts";
-import { openOwn } from "./own-place.ts";
-import { libraryOf } from "./own-reading.ts";
-import { useOwn } from "./own-store.ts";
+import { openOwn } from "../document/own-place.ts";
+import { libraryOf } from "../document/own-reading.ts";
+import { useOwn } from "../document/own-store.ts";
 import type { TableSaid } from "../tools/TableStatus.tsx";
 
 const failure = (sentence: string): TableSaid => ({ sentences: [sentence], failed: true, changed: false });

@@ -2,9 +2,9 @@ import { useVerdict } from "../findings/use-findings.ts";
 import { copyJob } from "../leaving/copy-program.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import { useCopying } from "./copy.ts";
-import { useFileKind } from "./output.ts";
+import { useFileKind } from "../document/output.ts";
 
 /** Copies the program, and says so on its own face. It is the main button only while nothing is wrong. */
 export function CopyButton({ main = false, long = false }: { readonly main?: boolean; readonly long?: boolean }) {

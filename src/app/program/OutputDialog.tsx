@@ -6,8 +6,8 @@ import { HandingDialog } from "../base/HandingDialog.tsx";
 import { Icon } from "../base/Icon.tsx";
 import { laterTexts } from "../base/settings/later-texts.ts";
 import { changeSettings, useSettings } from "../base/settings/settings.ts";
-import { useEditor } from "../store.ts";
-import { setOutput, useOutput } from "./output.ts";
+import { useEditor } from "../document/store.ts";
+import { setOutput, useOutput } from "../document/output.ts";
 import "./output.css";
 
 const { useThemSoon: useOutputTexts } = laterTexts(loadOutput);

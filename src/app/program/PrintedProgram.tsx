@@ -1,8 +1,8 @@
 import { useEffect, useState } from "react";
 import { flushSync } from "react-dom";
-import { printedText } from "../printed.ts";
-import { handOver, useEditor } from "../store.ts";
-import { useIsoFile } from "./output.ts";
+import { printedText } from "../document/printed.ts";
+import { handOver, useEditor } from "../document/store.ts";
+import { useIsoFile } from "../document/output.ts";
 
 /** Widest picture on paper, px of CSS: what A4 and Letter have between their margins. */
 const PAPER = 690;

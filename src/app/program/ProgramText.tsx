@@ -1,7 +1,7 @@
 import { memo, useEffect, useMemo, useRef } from "react";
 import { guardCopy } from "../leaving/whole-program.ts";
 import { KEEPS_KEYBOARD } from "../place/place.ts";
-import { printedBlocks } from "../printed.ts";
+import { printedBlocks } from "../document/printed.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 
 /** A line of the program, by the number of its block, and the parameter that stands on it. */

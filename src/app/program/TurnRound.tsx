@@ -16,11 +16,11 @@ import { openProgram } from "../files/open-program.ts";
 import { HandingDialog } from "../base/HandingDialog.tsx";
 import { Icon } from "../base/Icon.tsx";
 import { useLengths } from "../lengths.ts";
-import { programName } from "../printed.ts";
+import { programName } from "../document/printed.ts";
 import { laterTexts } from "../base/settings/later-texts.ts";
-import { useEditor } from "../store.ts";
-import { broughtBy } from "../work.ts";
-import { outputInUse } from "./output.ts";
+import { useEditor } from "../document/store.ts";
+import { broughtBy } from "../document/work.ts";
+import { outputInUse } from "../document/output.ts";
 import "./turn-round.css";
 
 const { useThemSoon: useSecondSideTexts } = laterTexts(loadSecondSide);

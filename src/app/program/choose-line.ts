@@ -1,9 +1,9 @@
 import { askedByMove } from "../../cycles/asked-by-move.ts";
 import { useOutcome } from "../engine/outcome.ts";
 import { openPrompt, showPrompt, showSection, usePlace } from "../place/place.ts";
-import { printedText } from "../printed.ts";
-import type { JobReading } from "../reading.ts";
-import { NOTHING_SELECTED, useSelection } from "../selected.ts";
+import { printedText } from "../document/printed.ts";
+import type { JobReading } from "../document/reading.ts";
+import { NOTHING_SELECTED, useSelection } from "../document/selected.ts";
 import { chooseLine } from "../selection.ts";
 import type { ChosenLine } from "./ProgramText.tsx";
 

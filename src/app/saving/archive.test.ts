@@ -11,7 +11,7 @@ import { exampleJob } from "../../program/job.ts";
 import { readCuttingTable, usualTable, writeCuttingTable } from "../../program/cutting-table.ts";
 import { shippedList } from "../../program/tool-list.ts";
 import { readSettings } from "../base/settings/settings.ts";
-import type { Work } from "../work.ts";
+import type { Work } from "../document/work.ts";
 import { ARCHIVE_LIMITS, readArchive, writeArchive, type ArchivedWork, type ReadArchive } from "./archive.ts";
 
 const jobs: readonly Work[] = catalogue.map(exampleJob);

@@ -1,7 +1,7 @@
 import { createStore, del, entries, get, keys, set, setMany } from "idb-keyval";
 import { z } from "zod/mini";
 import { time } from "../base/clock.ts";
-import { isProgram, textsOf, type Work } from "../work.ts";
+import { isProgram, textsOf, type Work } from "../document/work.ts";
 import { isNewer, readSave, SAVE_VERSION, type SaveFile } from "./save-file.ts";
 
 /** What a list shows of a saved work; the work itself stays on the device until it is opened. */

@@ -1,7 +1,7 @@
 import { madeOf } from "../../sim/made.ts";
 import { thumbnailOf } from "../../view/thumbnail.ts";
 import { isMadeFrom, useOutcome } from "../engine/outcome.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import { keepPicture } from "./kept-picture.ts";
 
 /** Rest after a result before the part is drawn in small, ms: nobody looks at that while typing. */

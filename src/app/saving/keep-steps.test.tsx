@@ -2,15 +2,15 @@ import { afterEach, beforeEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { shippedList } from "../../program/tool-list.ts";
-import { draftOf, setContour, setPrompt, setRapid } from "../edits.ts";
+import { draftOf, setContour, setPrompt, setRapid } from "../document/edits.ts";
 import { closeSession, dispatchEdit, handOverText, openBlock, openSession, sessionText, sessionView,
   useSession } from "../editor/session.ts";
-import { closeStep, forget, redo, undo, useSteps } from "../steps.ts";
-import { editOwn, takeOwn, useOwn } from "../own/own-store.ts";
-import { beforeLeaving, begin, changeProgram, open, useEditor } from "../store.ts";
+import { closeStep, forget, redo, undo, useSteps } from "../document/steps.ts";
+import { editOwn, takeOwn, useOwn } from "../document/own-store.ts";
+import { beforeLeaving, begin, changeProgram, open, useEditor } from "../document/store.ts";
 import { setCell } from "../tools/tool-edits.ts";
-import { takeTools, useTools } from "../tools/tool-store.ts";
-import type { Work } from "../work.ts";
+import { takeTools, useTools } from "../document/tool-store.ts";
+import type { Work } from "../document/work.ts";
 import { startKeepingSteps, takeKeptSteps } from "./keep-steps.ts";
 
 const [cycle] = cuttingCycles;

@@ -1,8 +1,8 @@
-import { putOwn, useOwn } from "../own/own-store.ts";
-import { handOver, OF_FILES, putJob, putProgram, useEditor } from "../store.ts";
-import { resumeSteps, stepBetween, useSteps, type HistoryStep } from "../steps.ts";
-import { putTools, useTools } from "../tools/tool-store.ts";
-import type { Work } from "../work.ts";
+import { putOwn, useOwn } from "../document/own-store.ts";
+import { handOver, OF_FILES, putJob, putProgram, useEditor } from "../document/store.ts";
+import { resumeSteps, stepBetween, useSteps, type HistoryStep } from "../document/steps.ts";
+import { putTools, useTools } from "../document/tool-store.ts";
+import type { Work } from "../document/work.ts";
 import { withDifference, differenceOf, fingerprint, type Difference, type Json } from "./difference.ts";
 
 /*

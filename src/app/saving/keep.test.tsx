@@ -1,7 +1,7 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import type { Job } from "../../program/job.ts";
-import { setTool } from "../edits.ts";
-import { begin, useEditor } from "../store.ts";
+import { setTool } from "../document/edits.ts";
+import { begin, useEditor } from "../document/store.ts";
 import { device, emptyDevice, someJob as job } from "./fake-device.ts";
 import { refreshWorks, startKeeping, startWork, unkeptWorks, useKeeping } from "./keep.ts";
 import { resume } from "./resume.ts";

@@ -1,7 +1,7 @@
-import { encode } from "../editor/encoding.ts";
+import { encode } from "../document/encoding.ts";
 import { downloadBytes } from "../base/download.ts";
-import { fileOfJob, leavingText } from "../printed.ts";
-import { isProgram, textsOf, type Work } from "../work.ts";
+import { fileOfJob, leavingText } from "../document/printed.ts";
+import { isProgram, textsOf, type Work } from "../document/work.ts";
 
 /** Hands works that the device does not keep to the downloads, each as a program file. */
 export function downloadWorks(works: readonly Work[]): void {

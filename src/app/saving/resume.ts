@@ -1,4 +1,4 @@
-import { begin } from "../store.ts";
+import { begin } from "../document/store.ts";
 import { findWorks, readWork, type Kept } from "./device.ts";
 import { showElsewhere } from "../place/elsewhere.ts";
 import { claimPatiently, keepState, notice, noteWritten, unkeptWorks, useKeeping } from "./keep.ts";

@@ -5,8 +5,8 @@ import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import { CLAMPING_KINDS } from "../../program/clamping/words.ts";
 import type { ContourRow, Job, TaskWork } from "../../program/job.ts";
 import { EARLIER_OUTPUT, isNcOutput, JOB_LAYOUTS, type NcOutput } from "../../program/nc-output.ts";
-import { toolRows } from "../tools/tool-rows.ts";
-import { LONGEST_MACHINE, LONGEST_REMARKS, MOST_MEASURED, type ProgramWork, type Work, type WorkFile } from "../work.ts";
+import { toolRows } from "../document/tool-rows.ts";
+import { LONGEST_MACHINE, LONGEST_REMARKS, MOST_MEASURED, type ProgramWork, type Work, type WorkFile } from "../document/work.ts";
 
 /** Counts up whenever the layout of a saved work changes; each step has its upgrade below. */
 export const SAVE_VERSION = 3;

@@ -1,7 +1,7 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import { setTool } from "../edits.ts";
-import { redo, undo, useSteps } from "../steps.ts";
-import { begin, open, useEditor } from "../store.ts";
+import { setTool } from "../document/edits.ts";
+import { redo, undo, useSteps } from "../document/steps.ts";
+import { begin, open, useEditor } from "../document/store.ts";
 import { showElsewhere, useElsewhere } from "../place/elsewhere.ts";
 import { device, emptyDevice, someJob as job } from "./fake-device.ts";
 import { copyWork, openWork, refreshWorks, startKeeping, startWork, takeOver, unkeptWorks, useKeeping } from "./keep.ts";

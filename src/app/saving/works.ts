@@ -1,11 +1,11 @@
 import { fileKey } from "../../program/program-files.ts";
 import { drawnId } from "../base/chance.ts";
 import { time } from "../base/clock.ts";
-import { note } from "../steps.ts";
-import { isProgram, textsOf, type Work } from "../work.ts";
+import { note } from "../document/steps.ts";
+import { isProgram, textsOf, type Work } from "../document/work.ts";
 import { forgetWork, keepWork, readWork } from "./device.ts";
 import { forgetUnkept, keepState, newestState, refreshWorks } from "./keep.ts";
-import { OF_WORKS } from "./of-works.ts";
+import { OF_WORKS } from "../document/of-works.ts";
 import { claimWork, owns, releaseWork, sayChanged } from "./tab.ts";
 
 /** A work as it lies on the device. */

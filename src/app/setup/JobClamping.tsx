@@ -1,8 +1,8 @@
 import { proposedClamping } from "../../program/clamping/draft.ts";
 import { boundsOf } from "../../view/bounds.ts";
-import { setClamping } from "../edits.ts";
+import { setClamping } from "../document/edits.ts";
 import { useOutcome } from "../engine/outcome.ts";
-import type { JobReading } from "../reading.ts";
+import type { JobReading } from "../document/reading.ts";
 import { ClampingFields } from "./ClampingFields.tsx";
 import { useClampingTexts } from "./clamping-texts.ts";
 

@@ -8,7 +8,7 @@ import { usePlace } from "../place/place.ts";
 import { useFindings } from "../findings/use-findings.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 import { useTyping } from "../base/typing.ts";
 
 interface Props {

@@ -1,7 +1,7 @@
 import { usedParameters } from "../../program/job-parameters.ts";
 import { parameterField } from "../../program/setup-fields.ts";
-import { setParameter } from "../edits.ts";
-import type { JobReading } from "../reading.ts";
+import { setParameter } from "../document/edits.ts";
+import type { JobReading } from "../document/reading.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { NumberField } from "./NumberField.tsx";
 

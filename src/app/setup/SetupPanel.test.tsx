@@ -4,10 +4,10 @@ import { afterEach, beforeEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { goToField } from "../place/place.ts";
-import { useReading } from "../reading.ts";
+import { useReading } from "../document/reading.ts";
 import { changeSettings } from "../base/settings/settings.ts";
-import { undo } from "../steps.ts";
-import { begin, useEditor } from "../store.ts";
+import { undo } from "../document/steps.ts";
+import { begin, useEditor } from "../document/store.ts";
 import { SetupPanel } from "./SetupPanel.tsx";
 
 const [cycle] = cuttingCycles;

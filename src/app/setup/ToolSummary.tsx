@@ -1,15 +1,15 @@
 import type { ToolFit } from "../../program/which-tool.ts";
-import { setTool } from "../edits.ts";
+import { setTool } from "../document/edits.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import { Icon } from "../base/Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { goToField } from "../place/place.ts";
 import { isAboutTool } from "../findings/entry.ts";
 import { useFindings } from "../findings/use-findings.ts";
-import type { JobReading } from "../reading.ts";
+import type { JobReading } from "../document/reading.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { showToolNumber } from "../tools/tool-place.ts";
-import { useToolList } from "../tools/work-tools.ts";
+import { showToolNumber } from "../document/tool-place.ts";
+import { useToolList } from "../document/work-tools.ts";
 import { ToolWords } from "./tool-words.tsx";
 
 /** Edge length of the insert drawing, px. */

@@ -1,12 +1,12 @@
 import { useEffect, useRef } from "react";
 import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
 import type { ToolFit } from "../../program/which-tool.ts";
-import { setTool } from "../edits.ts";
+import { setTool } from "../document/edits.ts";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { usePlace } from "../place/place.ts";
-import type { JobReading } from "../reading.ts";
+import type { JobReading } from "../document/reading.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { useToolList } from "../tools/work-tools.ts";
+import { useToolList } from "../document/work-tools.ts";
 import { ToolWords, useToolDetails, useToolVerdict } from "./tool-words.tsx";
 
 /** Edge length of an insert drawing, px. */

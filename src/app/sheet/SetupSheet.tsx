@@ -9,7 +9,7 @@ import { issueText, placeInFile } from "../issue-text.ts";
 import { lengthsOf, useLengths } from "../lengths.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 import { PartSheet } from "./PartSheet.tsx";
 import { SheetFacts } from "./SheetFacts.tsx";
 import { SheetMeasured, useSheetMeasured } from "./SheetMeasured.tsx";

@@ -6,7 +6,7 @@ import { SAME } from "../../kernel/tolerance.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import { boundsOf } from "../../view/bounds.ts";
 import { missingFiles } from "../files/missing-files.ts";
-import { filesOf, type ProgramWork } from "../work.ts";
+import { filesOf, type ProgramWork } from "../document/work.ts";
 import { useClampingTexts } from "../setup/clamping-texts.ts";
 import type { SheetWords } from "./sheet-words.ts";
 import type { SheetSource } from "./use-sheet.ts";

@@ -4,14 +4,14 @@ import type { Run } from "../../program/run-types.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import type { SheetMeasurement } from "../../view/sheet/measured.ts";
 import { measurablePlane } from "../approach/plane-source.ts";
-import { measuredIn } from "../edits.ts";
+import { measuredIn } from "../document/edits.ts";
 import type { Outcome } from "../engine/outcome.ts";
 import { useLengths } from "../lengths.ts";
 import { measurementWords, useMeasureTexts } from "../measure/measure-words.ts";
 import { readIn } from "../measure/readings.ts";
 import { measurableRun } from "../measure/source.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { useEditor } from "../store.ts";
+import { useEditor } from "../document/store.ts";
 
 const NOTHING: readonly MeasurementNow[] = [];
 

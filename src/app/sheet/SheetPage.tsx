@@ -1,13 +1,13 @@
 import { useEffect, useState } from "react";
 import { time } from "../base/clock.ts";
-import { measuredIn, setRemarks } from "../edits.ts";
+import { measuredIn, setRemarks } from "../document/edits.ts";
 import { Icon } from "../base/Icon.tsx";
 import { changeSettings, PAPERS, useSettings } from "../base/settings/settings.ts";
-import { closeStep } from "../steps.ts";
-import { useEditor } from "../store.ts";
-import { LONGEST_REMARKS } from "../work.ts";
+import { closeStep } from "../document/steps.ts";
+import { useEditor } from "../document/store.ts";
+import { LONGEST_REMARKS } from "../document/work.ts";
 import { SetupSheet } from "./SetupSheet.tsx";
-import { hideSheet } from "./sheet-place.ts";
+import { hideSheet } from "../document/sheet-place.ts";
 import { useSheetSource, useSheetTexts } from "./use-sheet.ts";
 import "./sheet.css";
 

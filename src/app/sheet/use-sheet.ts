@@ -5,12 +5,12 @@ import type { Program } from "../../nc/program.ts";
 import type { Control } from "../../program/plane-types.ts";
 import { setupData, type SetupData } from "../../report/sheet/setup-data.ts";
 import { isMadeFrom, useOutcome, type Outcome } from "../engine/outcome.ts";
-import { fileOfJob, printedText } from "../printed.ts";
-import { useIsoFile } from "../program/output.ts";
+import { fileOfJob, printedText } from "../document/printed.ts";
+import { useIsoFile } from "../document/output.ts";
 import { laterTexts } from "../base/settings/later-texts.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { handedOn, useEditor } from "../store.ts";
-import { toolsOnDevice, useTools } from "../tools/tool-store.ts";
+import { handedOn, useEditor } from "../document/store.ts";
+import { toolsOnDevice, useTools } from "../document/tool-store.ts";
 
 /** The texts of the sheet, in the screen language. */
 export const { useThem: useSheetTexts } = laterTexts(loadSheet);

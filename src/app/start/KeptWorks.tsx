@@ -2,7 +2,7 @@ import { useMemo, useState } from "react";
 import { menuCycle } from "../chooser/menu.ts";
 import { Icon } from "../base/Icon.tsx";
 import { usePlace } from "../place/place.ts";
-import { undoStep } from "../history.ts";
+import { undoStep } from "../document/history.ts";
 import { keptPictures } from "../saving/kept-picture.ts";
 import { openWork, useKeeping } from "../saving/keep.ts";
 import { useWorksElsewhere } from "../saving/use-works-elsewhere.ts";

@@ -6,7 +6,7 @@ import { untilHere } from "../base/parts.ts";
 import { openFiles, openFolder, openText, type Opening } from "../files/open-program.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
-import { WhichButton } from "../which/WhichButton.tsx";
+import { WhichButton } from "../document/WhichButton.tsx";
 import { CreateProgram } from "./CreateProgram.tsx";
 import { PartPicture } from "./PartPicture.tsx";
 import type { StartPictures } from "./pictures.ts";

@@ -1,6 +1,6 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { exampleJob, UNSET } from "../../program/job.ts";
-import { draftOf } from "../edits.ts";
+import { draftOf } from "../document/edits.ts";
 import { FIRST_PLACE } from "../dialog/setup-prompts.ts";
 import { openPrompt } from "../place/place.ts";
 import { startWork } from "../saving/keep.ts";

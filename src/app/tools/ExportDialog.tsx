@@ -5,7 +5,7 @@ import type { TableOrigin } from "../../program/tool-entry.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import type { ExportKind } from "./tool-files.ts";
-import { toolsOnDevice, useTools } from "./tool-store.ts";
+import { toolsOnDevice, useTools } from "../document/tool-store.ts";
 import { useModal } from "../base/use-modal.ts";
 
 /** Asks which file the table goes out as, and says what each cannot hold. */

@@ -5,7 +5,7 @@ import { HOLDER_NUMBERS } from "../../program/tool-columns.ts";
 import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { setCell } from "./tool-edits.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 import { CellMessages, ToolField } from "./ToolField.tsx";
 
 interface Props {

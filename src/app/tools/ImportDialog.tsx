@@ -8,8 +8,8 @@ import { Icon } from "../base/Icon.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import type { Brought } from "./tool-files.ts";
-import { useToolName } from "./tool-name.ts";
-import { useTools } from "./tool-store.ts";
+import { useToolName } from "../document/tool-name.ts";
+import { useTools } from "../document/tool-store.ts";
 import { useModal } from "../base/use-modal.ts";
 
 /** Tools that are listed one by one. */

@@ -6,7 +6,7 @@ import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { setCell } from "./tool-edits.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 import { CellMessages, ToolField } from "./ToolField.tsx";
 
 interface Props {

@@ -1,4 +1,4 @@
-import { undoStep } from "../history.ts";
+import { undoStep } from "../document/history.ts";
 import { Icon } from "../base/Icon.tsx";
 
 /** What came of a file, or of a change: sentences, and whether the table was changed. */

@@ -10,7 +10,7 @@ import { inScreenWriting } from "../dialog/write-value.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { setCell } from "./tool-edits.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 
 /** What is wrong with a cell, read out when it changes. An empty cell that is needed is said calmly. */
 export function CellMessages({ id, issues, text, onTake, decimals = 4 }: { readonly id: string; readonly issues: readonly Issue[];

@@ -11,10 +11,10 @@ import { MillDrawing } from "./MillDrawing.tsx";
 import { NameFields } from "./NameFields.tsx";
 import { TipPicker } from "./TipPicker.tsx";
 import { setCell } from "./tool-edits.ts";
-import { closeStep } from "../steps.ts";
+import { closeStep } from "../document/steps.ts";
 import { HolderFields } from "./HolderFields.tsx";
 import { CellMessages, ToolField } from "./ToolField.tsx";
-import { useToolName } from "./tool-name.ts";
+import { useToolName } from "../document/tool-name.ts";
 
 type TurningColumn = Exclude<NumberColumn, MillColumn>;
 const INSERT: readonly TurningColumn[] = ["T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DCW"];

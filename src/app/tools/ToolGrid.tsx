@@ -9,8 +9,8 @@ import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { drillOf } from "../../program/tool-call.ts";
-import { openRow, type ToolKind } from "./tool-place.ts";
-import { useToolName } from "./tool-name.ts";
+import { openRow, type ToolKind } from "../document/tool-place.ts";
+import { useToolName } from "../document/tool-name.ts";
 
 /** Edge length of an insert in its row, px. */
 const DRAWING = 28;

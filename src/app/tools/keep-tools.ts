@@ -4,8 +4,8 @@ import { sameList, shippedList, type ToolList } from "../../program/tool-list.ts
 import { HOLDER_CELLS } from "../../program/tool-columns.ts";
 import { keepTable } from "../base/device-table.ts";
 import { notice } from "../saving/keep.ts";
-import { toolRow } from "./tool-rows.ts";
-import { takeTools, useTools } from "./tool-store.ts";
+import { toolRow } from "../document/tool-rows.ts";
+import { takeTools, useTools } from "../document/tool-store.ts";
 
 /*
  * The tool table is kept on the device as soon as it differs from the shipped one. All tabs share it: what one tab

@@ -1,9 +1,9 @@
 import { MILL, type CellName } from "../../program/tool-columns.ts";
 import { cellOf, isMillEntry, readEntry, type ToolEntry } from "../../program/tool-entry.ts";
 import { freeNumber, newId, shippedList } from "../../program/tool-list.ts";
-import { closeStep } from "../steps.ts";
-import type { ToolKind } from "./tool-place.ts";
-import { editTools, useTools } from "./tool-store.ts";
+import { closeStep } from "../document/steps.ts";
+import type { ToolKind } from "../document/tool-place.ts";
+import { editTools, useTools } from "../document/tool-store.ts";
 
 /** The typed text of one cell. */
 export function setCell(id: string, cell: CellName, text: string): void {

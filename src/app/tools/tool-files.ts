@@ -8,11 +8,11 @@ import { planImport, type IncomingTools } from "../../program/tool-import.ts";
 import { writeTableCsv } from "../../program/tool-table-csv.ts";
 import { readToolFile, writeTableJson } from "../../program/tool-table-json.ts";
 import { writeMillText, writeTableText } from "../../program/tool-table-text.ts";
-import { decode, encode } from "../editor/encoding.ts";
+import { decode, encode } from "../document/encoding.ts";
 import { downloadBytes, downloadText } from "../base/download.ts";
-import { closeStep } from "../steps.ts";
-import { openRow } from "./tool-place.ts";
-import { editTools, toolsOnDevice, useTools } from "./tool-store.ts";
+import { closeStep } from "../document/steps.ts";
+import { openRow } from "../document/tool-place.ts";
+import { editTools, toolsOnDevice, useTools } from "../document/tool-store.ts";
 import type { TableSaid } from "./TableStatus.tsx";
 
 const failure = (sentence: string): TableSaid => ({ sentences: [sentence], failed: true, changed: false });

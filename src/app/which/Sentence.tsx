@@ -5,7 +5,7 @@ import type { Site } from "../../cycles/wanted.ts";
 import { Icon } from "../base/Icon.tsx";
 import { NumberField } from "../setup/NumberField.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { ASKED, canBePreturned, measuresOf, type Sought, type AskingFault, type Measure, type StockChoice } from "./asking.ts";
+import { ASKED, canBePreturned, measuresOf, type Sought, type AskingFault, type Measure, type StockChoice } from "../document/asking.ts";
 
 const SITES = ["outside", "inside", "face"] as const satisfies readonly Site[];
 const SHAPES = ["step", "plunge", "free", "groove", "thread"] as const satisfies readonly TurnedShape[];

@@ -7,9 +7,9 @@ import { shippedTools } from "../../program/shipped-tools.ts";
 import { tryWay } from "../../report/which/try-way.ts";
 import { waysFor } from "../../report/which/ways.ts";
 import { changeSettings } from "../base/settings/settings.ts";
-import { begin, useEditor } from "../store.ts";
+import { begin, useEditor } from "../document/store.ts";
 import type { Comparer } from "./comparison.ts";
-import type { WhichRegion } from "./asking.ts";
+import type { WhichRegion } from "../document/asking.ts";
 import { WhichCycle } from "./WhichCycle.tsx";
 
 /** What the worker does, without one. */

@@ -5,7 +5,7 @@ import { Icon } from "../base/Icon.tsx";
 import { lazyPart } from "../base/parts.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { canBePreturned, readAsking, soughtAt, usualNumbers, type Sought, type WhichRegion } from "./asking.ts";
+import { canBePreturned, readAsking, soughtAt, usualNumbers, type Sought, type WhichRegion } from "../document/asking.ts";
 import type { Comparer } from "./comparison.ts";
 import { Sentence } from "./Sentence.tsx";
 import { ContourStretch } from "./ContourStretch.tsx";

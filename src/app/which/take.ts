@@ -9,10 +9,10 @@ import { wantedText } from "../../program/wanted-text.ts";
 import type { Proposal } from "../../report/which/ways.ts";
 import { openText } from "../files/open-program.ts";
 import { openPrompt } from "../place/place.ts";
-import { printedText } from "../printed.ts";
+import { printedText } from "../document/printed.ts";
 import { startWork } from "../saving/keep.ts";
-import { outputInUse } from "../program/output.ts";
-import { useEditor } from "../store.ts";
+import { outputInUse } from "../document/output.ts";
+import { useEditor } from "../document/store.ts";
 
 /** Takes a way: behind the operations of what is open, or as a work of its own. */
 export async function takeWay(
@@ -26,7 +26,7 @@ export async function takeWay(
   if (adds && program) {
     const [{ editProgram, sessionText }, { showFile }] = await Promise.all([
       import("../editor/session.ts"),
-      import("../files/shown-file.ts"),
+      import("../document/shown-file.ts"),
     ]);
     showFile(null);
     return editProgram(withOperation(parse(sessionText() ?? program.text), made, labels), null);

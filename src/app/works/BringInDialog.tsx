@@ -1,6 +1,6 @@
 import { useEffect, useId, useRef, useState } from "react";
 import type { DeviceTexts } from "../../i18n/en/device.ts";
-import { goToWorks } from "../address/go-home.ts";
+import { goToWorks } from "../document/go-home.ts";
 import { Icon } from "../base/Icon.tsx";
 import type { ReadArchive } from "../saving/archive.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";

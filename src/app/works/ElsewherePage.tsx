@@ -1,5 +1,5 @@
 import { useState } from "react";
-import { goHome } from "../address/go-home.ts";
+import { goHome } from "../document/go-home.ts";
 import { Icon } from "../base/Icon.tsx";
 import type { WorkElsewhere } from "../place/elsewhere.ts";
 import { copyWork, takeOver, useKeeping } from "../saving/keep.ts";

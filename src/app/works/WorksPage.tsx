@@ -1,5 +1,5 @@
 import { useCallback, useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
-import { goHome } from "../address/go-home.ts";
+import { goHome } from "../document/go-home.ts";
 import { menuCycle } from "../chooser/menu.ts";
 import { Icon } from "../base/Icon.tsx";
 import { keptPictures } from "../saving/kept-picture.ts";

@@ -9,7 +9,7 @@ import { bringWorked, startWorkingTime, useWorked } from "../course/teach/workin
 import { mergedWorked } from "../course/teach/worked-list.ts";
 import type { ArchiveContent } from "../saving/archive.ts";
 import { fingerprint } from "../saving/difference.ts";
-import { asOneStep } from "../steps.ts";
+import { asOneStep } from "../document/steps.ts";
 
 /** What an archive brings of the course: of learners and of instructors. */
 export type BroughtCourse = Pick<ArchiveContent, "course" | "taught" | "forms" | "worked" | "results">;

@@ -6,13 +6,13 @@ import { startGathered, useGathered } from "../course/teach/gathered.ts";
 import { startForms, useForms } from "../course/teach/kept-form.ts";
 import { startTaught, useTaught } from "../course/teach/taught.ts";
 import { countWork, startWorkingTime, useWorked } from "../course/teach/working-time.ts";
-import { useOwn } from "../own/own-store.ts";
+import { useOwn } from "../document/own-store.ts";
 import { ARCHIVE_LIMITS, writeArchive, type ArchivedWork } from "../saving/archive.ts";
 import { findWorks, readWork } from "../saving/device.ts";
 import { newestState, useKeeping } from "../saving/keep.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { handOver } from "../store.ts";
-import { useTools } from "../tools/tool-store.ts";
+import { handOver } from "../document/store.ts";
+import { useTools } from "../document/tool-store.ts";
 
 /** What one file holds at most, bytes, so that it can be brought in again: what is packed has each program twice. */
 const LARGEST = ARCHIVE_LIMITS.unpacked / 4;

@@ -2,7 +2,7 @@ import { readOwn, type OwnEntry } from "../../program/own-cycle.ts";
 import { mergedLibrary, type OwnList } from "../../program/own-library.ts";
 import { mergedTools, sameList, type ToolList } from "../../program/tool-list.ts";
 import { drawnId } from "../base/chance.ts";
-import { editOwn, useOwn } from "../own/own-store.ts";
+import { editOwn, useOwn } from "../document/own-store.ts";
 import { writeKeptOwn } from "../own/keep-own.ts";
 import type { ArchivedWork, ReadArchive } from "../saving/archive.ts";
 import { readWork } from "../saving/device.ts";
@@ -10,7 +10,7 @@ import { fingerprint } from "../saving/difference.ts";
 import { useKeeping } from "../saving/keep.ts";
 import { addWorks } from "../saving/works.ts";
 import { changeLanguage, changeSettings } from "../base/settings/settings.ts";
-import { editTools, toolsOnDevice, useTools } from "../tools/tool-store.ts";
+import { editTools, toolsOnDevice, useTools } from "../document/tool-store.ts";
 import { courseHere, takeCourse } from "./bring-course.ts";
 
 /** What becomes of a work that is brought in: it is new, here already, or comes beside another one of its name. */

@@ -4,7 +4,7 @@ import { openKept } from "../start/KeptWorks.tsx";
 import type { Kept } from "../saving/device.ts";
 import { useKeeping } from "../saving/keep.ts";
 import { duplicateWork, removeWorks, renameWork } from "../saving/works.ts";
-import { useSteps, type HistoryStep } from "../steps.ts";
+import { useSteps, type HistoryStep } from "../document/steps.ts";
 import type { TableSaid } from "../tools/TableStatus.tsx";
 import { saveWorks } from "./export-works.ts";
 import type { RowWish } from "./WorkRow.tsx";

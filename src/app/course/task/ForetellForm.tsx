@@ -3,13 +3,13 @@ import type { Task, TaskWords } from "../../../course/task.ts";
 import { answerKindOf, toldBy } from "../../../course/told.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { useSelection } from "../../selected.ts";
-import { useEditor } from "../../store.ts";
+import { useSelection } from "../../document/selected.ts";
+import { useEditor } from "../../document/store.ts";
 import { useMedia } from "../../base/use-media.ts";
 import { showRun } from "./check.ts";
 import { AskedAnswer } from "./AskedAnswer.tsx";
 import { useTaskView } from "./task-view.ts";
-import { setTold, taskOfWork } from "./work-task.ts";
+import { setTold, taskOfWork } from "../../document/work-task.ts";
 
 const NO_TEXTS: readonly string[] = [];
 

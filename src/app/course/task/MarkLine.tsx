@@ -2,7 +2,7 @@ import { useEffect, useEffectEvent } from "react";
 import type { TaskMark } from "../../../course/judge/judgement.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import type { Run } from "../../../program/run-types.ts";
-import { useChosen } from "../../findings/chosen.ts";
+import { useChosen } from "../../document/chosen.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { markId, showMark } from "./show-mark.ts";
 import { useTaskView } from "./task-view.ts";

@@ -5,7 +5,7 @@ import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import { writer } from "../../../i18n/write.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { useEditor } from "../../store.ts";
+import { useEditor } from "../../document/store.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
 import { Paragraphs } from "../Paragraphs.tsx";
@@ -15,7 +15,7 @@ import { placedText } from "./mark-words.ts";
 import { TaskHelp } from "./TaskHelp.tsx";
 import { TaskOnward } from "./TaskOnward.tsx";
 import { useTaskView } from "./task-view.ts";
-import { taskOfWork } from "./work-task.ts";
+import { taskOfWork } from "../../document/work-task.ts";
 
 interface Props {
   readonly task: Task;

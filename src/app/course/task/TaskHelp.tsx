@@ -4,8 +4,8 @@ import { shownId, type Task, type TaskWords } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { showComparison } from "../../place/compare-place.ts";
 import { startWork } from "../../saving/keep.ts";
-import { handedOn, useEditor } from "../../store.ts";
-import { broughtBy } from "../../work.ts";
+import { handedOn, useEditor } from "../../document/store.ts";
+import { broughtBy } from "../../document/work.ts";
 import { Paragraphs } from "../Paragraphs.tsx";
 import { noteHint, noteSolution, useTaskProgress } from "../progress.ts";
 

@@ -1,7 +1,7 @@
 import { Suspense } from "react";
 import { lazyPart } from "../../base/parts.ts";
 import { fetchShownTexts } from "../../base/settings/shown-texts.ts";
-import { useEditor } from "../../store.ts";
+import { useEditor } from "../../document/store.ts";
 
 /** Fetched with the texts of the workplace when a task is open. */
 const TaskBar = lazyPart(async () => {

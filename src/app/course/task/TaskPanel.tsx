@@ -7,7 +7,7 @@ import { Icon } from "../../base/Icon.tsx";
 import { usePlace } from "../../place/place.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
-import { useEditor } from "../../store.ts";
+import { useEditor } from "../../document/store.ts";
 import { useMedia } from "../../base/use-media.ts";
 import { inScreenLanguage } from "../content.ts";
 import { checkTask, compareForetold, isOfWork, judgeQuietly, lookAgain } from "./check.ts";
@@ -20,7 +20,7 @@ import { PassedLine } from "./TaskOnward.tsx";
 import { TaskStatus, usePassedNow } from "./TaskStatus.tsx";
 import { useTaskPicture } from "./use-task-picture.ts";
 import { useTaskView } from "./task-view.ts";
-import { taskOfWork } from "./work-task.ts";
+import { taskOfWork } from "../../document/work-task.ts";
 
 /** Rest after a result before the goals are looked at again, ms. */
 const QUIET = 400;

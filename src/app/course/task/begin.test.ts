@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { TASK_FORMAT, taskSchema } from "../../../course/task.ts";
-import { isProgram } from "../../work.ts";
+import { isProgram } from "../../document/work.ts";
 import { plainWork } from "../../saving/save-file.ts";
 import { workOfTask } from "./begin.ts";
 

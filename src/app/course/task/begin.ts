@@ -2,13 +2,13 @@ import { cycleByNumber } from "../../../cycles/index.ts";
 import type { Job } from "../../../program/job.ts";
 import { startOfTask, toolsOfTask } from "../../../course/start-of.ts";
 import type { Task } from "../../../course/task.ts";
-import { draftOf } from "../../edits.ts";
-import { hideOwn } from "../../own/own-place.ts";
+import { draftOf } from "../../document/edits.ts";
+import { hideOwn } from "../../document/own-place.ts";
 import { usePlace } from "../../place/place.ts";
 import { openWork, refreshWorks, startWork, useKeeping } from "../../saving/keep.ts";
 import { useSettings } from "../../base/settings/settings.ts";
-import { hideTools } from "../../tools/tool-place.ts";
-import { isProgram, type Work } from "../../work.ts";
+import { hideTools } from "../../document/tool-place.ts";
+import { isProgram, type Work } from "../../document/work.ts";
 import { unfoldNext } from "./task-view.ts";
 
 /** A task foretells before anything runs, and a fault is to be found by reading first. */

@@ -8,14 +8,14 @@ import { outcomeBeside } from "../../engine/beside.ts";
 import { calculateAgain } from "../../engine/client.ts";
 import { forgetOutcome, isMadeFrom, useOutcome, type Outcome } from "../../engine/outcome.ts";
 import { isOpen } from "../../findings/entry.ts";
-import { chooseFinding } from "../../findings/chosen.ts";
-import { printedText } from "../../printed.ts";
-import { readJob } from "../../reading.ts";
-import { handOver, useEditor } from "../../store.ts";
+import { chooseFinding } from "../../document/chosen.ts";
+import { printedText } from "../../document/printed.ts";
+import { readJob } from "../../document/reading.ts";
+import { handOver, useEditor } from "../../document/store.ts";
 import { notePass, noteTry } from "../progress.ts";
 import { workOfTask } from "./begin.ts";
 import { useTaskView, type NotReady } from "./task-view.ts";
-import { changeTask, taskOfWork } from "./work-task.ts";
+import { changeTask, taskOfWork } from "../../document/work-task.ts";
 
 /** Whether a result is that of the open work as it stands. */
 export function isOfWork(outcome: Outcome | null): outcome is Outcome {

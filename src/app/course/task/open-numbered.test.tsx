@@ -1,6 +1,6 @@
 import { afterEach, expect, test } from "vitest";
 import { closeSession, openBlock, openSession, sessionView } from "../../editor/session.ts";
-import { begin, useEditor } from "../../store.ts";
+import { begin, useEditor } from "../../document/store.ts";
 import { followPointed } from "./open-numbered.ts";
 
 const TEXT = "0 BEGIN PGM A MM\n4 L X+41.3 Z-3.25 FMAX\n7 M30\n9 END PGM A MM\n";

@@ -1,7 +1,7 @@
 import { blockNumbers } from "../../../nc/program.ts";
 import { openChosen } from "../../editor/choose-block.ts";
 import { openBlock, readWhole, useSession } from "../../editor/session.ts";
-import { showFile } from "../../files/shown-file.ts";
+import { showFile } from "../../document/shown-file.ts";
 
 /** Opens the block of a number in the text of the open program; the tool stays where it is. */
 export function openNumbered(block: number, q: string | null): void {

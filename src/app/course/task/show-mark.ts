@@ -2,13 +2,13 @@ import type { TaskMark } from "../../../course/judge/judgement.ts";
 import type { Run } from "../../../program/run-types.ts";
 import { choiceOf } from "../../../program/path-index.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
-import { draftOf } from "../../edits.ts";
-import { chooseFinding } from "../../findings/chosen.ts";
+import { draftOf } from "../../document/edits.ts";
+import { chooseFinding } from "../../document/chosen.ts";
 import { showPrompt, usePlace } from "../../place/place.ts";
 import { playback } from "../../playback.ts";
-import { readJob } from "../../reading.ts";
+import { readJob } from "../../document/reading.ts";
 import { chooseLine, choosePath } from "../../selection.ts";
-import { useEditor } from "../../store.ts";
+import { useEditor } from "../../document/store.ts";
 
 /** A cut is seen when it has been made, a rapid before it runs into the steel. */
 const SEEN = { cut: 0.999, rapid: 0 } as const;

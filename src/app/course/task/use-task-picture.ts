@@ -11,11 +11,11 @@ import { useOutcome } from "../../engine/outcome.ts";
 import { boundsRound } from "../../findings/spots.ts";
 import type { LookAt } from "../../lathe/places.ts";
 import { useTold, type ToldPicture } from "../../lathe/told.ts";
-import { useEditor } from "../../store.ts";
+import { useEditor } from "../../document/store.ts";
 import { placeWords } from "./mark-words.ts";
 import { markId, momentOf } from "./show-mark.ts";
 import { useTaskView } from "./task-view.ts";
-import { setTold, taskOfWork } from "./work-task.ts";
+import { setTold, taskOfWork } from "../../document/work-task.ts";
 
 /** Decimals of a place that was pointed at, mm. */
 const POINTED = 1;

@@ -1,6 +1,6 @@
 import { useState } from "react";
 import { Icon } from "../../base/Icon.tsx";
-import { undo, useSteps } from "../../steps.ts";
+import { undo, useSteps } from "../../document/steps.ts";
 import { dropGathered } from "./gathered.ts";
 import { useProblemWords } from "./problem-words.ts";
 import { plainName, type LearnerFile, type ResultRow } from "./result-rows.ts";

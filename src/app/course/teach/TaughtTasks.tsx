@@ -9,7 +9,7 @@ import { TaskStateMark } from "../TaskStateMark.tsx";
 import { beginTask } from "../task/begin.ts";
 import { textOfTask } from "../../../course/made/form-of-task.ts";
 import type { Task } from "../../../course/task.ts";
-import { undo, useSteps } from "../../steps.ts";
+import { undo, useSteps } from "../../document/steps.ts";
 import { showResults } from "./taught-shown.ts";
 import { copyTask, removeTask, startTaught, useTaught } from "./taught.ts";
 import { useTeachTextsSoon } from "./use-teach-texts.ts";

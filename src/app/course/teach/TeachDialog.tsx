@@ -7,7 +7,7 @@ import { partOfMade, proposedTask } from "../../../course/made/made-task.ts";
 import type { Task } from "../../../course/task.ts";
 import { wantedPart } from "../../../course/wanted-part.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { useEditor } from "../../store.ts";
+import { useEditor } from "../../document/store.ts";
 import { decimalSign } from "../../../i18n/number.ts";
 import { usualTable } from "../../../program/cutting-table.ts";
 import { fingerprint } from "../../saving/difference.ts";

@@ -1,6 +1,6 @@
 import { create } from "zustand";
 import { keepTable } from "../../base/device-table.ts";
-import { noteChange } from "../../steps.ts";
+import { noteChange } from "../../document/steps.ts";
 import { MOST_GATHERED, readGathered, writeGathered } from "./result-list.ts";
 import { isAmong, type LearnerFile } from "./result-rows.ts";
 

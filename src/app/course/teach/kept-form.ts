@@ -2,7 +2,7 @@ import { create } from "zustand";
 import type { MadeTask } from "../../../course/made/made-form.ts";
 import { time } from "../../base/clock.ts";
 import { keepTable } from "../../base/device-table.ts";
-import { noteChange } from "../../steps.ts";
+import { noteChange } from "../../document/steps.ts";
 import { MOST_FORMS, readForms, writeForms, type KeptForm, type KeptForms } from "./form-list.ts";
 
 /** The forms that are filled in on this device: one that is closed, or lost with its page, loses nothing. */

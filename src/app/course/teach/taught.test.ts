@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { TASK_FORMAT, taskSchema } from "../../../course/task.ts";
-import { undo } from "../../steps.ts";
+import { undo } from "../../document/steps.ts";
 import { readTaughtList, writeTaught } from "./taught-list.ts";
 import { bringTasks, keepTask, removeTask, useTaught } from "./taught.ts";
 

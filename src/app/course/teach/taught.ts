@@ -1,7 +1,7 @@
 import { create } from "zustand";
 import type { Task } from "../../../course/task.ts";
 import { keepTable } from "../../base/device-table.ts";
-import { noteChange } from "../../steps.ts";
+import { noteChange } from "../../document/steps.ts";
 import { MOST_TAUGHT, readTaughtList, writeTaught } from "./taught-list.ts";
 
 /** The tasks that came from outside and are kept on this device, the newest first. */

@@ -1,6 +1,6 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import { countWork, useWorked, workedIn } from "./working-time.ts";
-import { useEditor } from "../../store.ts";
+import { useEditor } from "../../document/store.ts";
 
 const now = vi.hoisted(() => ({ ms: 1000, visible: "visible" }));
 vi.mock("../../base/clock.ts", async (real) => ({ ...(await real<object>()), time: () => now.ms }));

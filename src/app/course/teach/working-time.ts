@@ -1,8 +1,8 @@
 import { create } from "zustand";
 import { time } from "../../base/clock.ts";
 import { keepTable } from "../../base/device-table.ts";
-import { noteChange, useSteps } from "../../steps.ts";
-import { useEditor } from "../../store.ts";
+import { noteChange, useSteps } from "../../document/steps.ts";
+import { useEditor } from "../../document/store.ts";
 import { mergedWorked, readWorked, writeWorked, type Worked, type WorkedTasks } from "./worked-list.ts";
 
 /** What was worked in each task on this device, by its id. */

@@ -1,4 +1,4 @@
-import type { Encoding } from "../work.ts";
+import type { Encoding } from "./work.ts";
 
 /** What the bytes 128 to 159 stand for in the older encoding; all others stand for the character of the same number. */
 const SPECIAL = "€\u0081‚ƒ„…†‡ˆ‰Š‹Œ\u008dŽ\u008f\u0090‘’“”•–—˜™š›œ\u009džŸ";

@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import type { ProgramWork } from "../work.ts";
+import type { ProgramWork } from "./work.ts";
 
 /** Several programs that were opened at once and do not call each other: which are opened is asked. */
 export interface ProgramChoice {

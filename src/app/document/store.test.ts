@@ -1,15 +1,15 @@
 import { beforeEach, expect, test } from "vitest";
-import { cuttingCycles } from "../cycles/index.ts";
-import { exampleJob } from "../program/job.ts";
-import { cellOf } from "../program/tool-entry.ts";
-import { shippedList } from "../program/tool-list.ts";
+import { cuttingCycles } from "../../cycles/index.ts";
+import { exampleJob } from "../../program/job.ts";
+import { cellOf } from "../../program/tool-entry.ts";
+import { shippedList } from "../../program/tool-list.ts";
 import { draftOf, setBlank, setPrompt, setTool } from "./edits.ts";
 import { redoStep, undoStep } from "./history.ts";
 import { asOneStep, closeStep, redo, undo, useSteps } from "./steps.ts";
 import { begin, edit, open, useEditor } from "./store.ts";
-import { setCell } from "./tools/tool-edits.ts";
-import { hideTools, useToolPlace } from "./tools/tool-place.ts";
-import { takeTools, useTools } from "./tools/tool-store.ts";
+import { setCell } from "../tools/tool-edits.ts";
+import { hideTools, useToolPlace } from "./tool-place.ts";
+import { takeTools, useTools } from "./tool-store.ts";
 
 const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");

@@ -1,12 +1,12 @@
 import type { LessonPage } from "../../course/progress.ts";
 import { hideCourse, useCoursePlace } from "../place/course-place.ts";
 import { hideGuide } from "../place/guide-place.ts";
-import { hideOwn } from "../own/own-place.ts";
+import { hideOwn } from "./own-place.ts";
 import { usePlace } from "../place/place.ts";
-import { open, useEditor } from "../store.ts";
-import { hideTools } from "../tools/tool-place.ts";
+import { open, useEditor } from "./store.ts";
+import { hideTools } from "./tool-place.ts";
 import { showElsewhere } from "../place/elsewhere.ts";
-import { hideWhich } from "../which/which-place.ts";
+import { hideWhich } from "./which-place.ts";
 import { hideWorks, useWorksPlace } from "../place/works-place.ts";
 
 /** Shows the start page. What was open stays on the device, and undo opens it again. */

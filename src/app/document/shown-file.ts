@@ -1,7 +1,7 @@
 import { create } from "zustand";
 import { fileKey } from "../../program/program-files.ts";
-import { useEditor } from "../store.ts";
-import { filesOf, fileOf, type ProgramWork, type WorkFile } from "../work.ts";
+import { useEditor } from "./store.ts";
+import { filesOf, fileOf, type ProgramWork, type WorkFile } from "./work.ts";
 
 /** Key of the file whose text the editor shows; null for the program that runs. It is a place, and no part of the work. */
 const useShownKey = create<{ readonly key: string | null }>(() => ({ key: null }));

@@ -1,7 +1,7 @@
 import { create } from "zustand";
 import { showSection, usePlace } from "../place/place.ts";
-import { useEditor } from "../store.ts";
-import { hideTools } from "../tools/tool-place.ts";
+import { useEditor } from "./store.ts";
+import { hideTools } from "./tool-place.ts";
 
 /** Whether the list of own cycles is shown in place of the work, and which of them is open. Undo does not touch it. */
 export interface OwnPlace {

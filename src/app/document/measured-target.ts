@@ -1,7 +1,7 @@
-import { WORKPIECE_ZERO } from "../view/datum.ts";
-import type { Counting } from "../view/measure/distance.ts";
-import type { MeasuredTarget } from "./lathe/measured-into.ts";
-import { usePlace } from "./place/place.ts";
+import { WORKPIECE_ZERO } from "../../view/datum.ts";
+import type { Counting } from "../../view/measure/distance.ts";
+import type { MeasuredTarget } from "./measured-into.ts";
+import { usePlace } from "../place/place.ts";
 import type { JobReading } from "./reading.ts";
 import { closeStep } from "./steps.ts";
 

@@ -1,12 +1,12 @@
 import { draftOf } from "./edits.ts";
-import { openPrompt, usePlace } from "./place/place.ts";
-import { hideOwn, showOwn } from "./own/own-place.ts";
-import { useOwn } from "./own/own-store.ts";
-import { OF_WORKS } from "./saving/of-works.ts";
+import { openPrompt, usePlace } from "../place/place.ts";
+import { hideOwn, showOwn } from "./own-place.ts";
+import { useOwn } from "./own-store.ts";
+import { OF_WORKS } from "./of-works.ts";
 import { redo, undo, useSteps, type Steps } from "./steps.ts";
 import { useEditor } from "./store.ts";
-import { hideTools, showTools } from "./tools/tool-place.ts";
-import { useTools } from "./tools/tool-store.ts";
+import { hideTools, showTools } from "./tool-place.ts";
+import { useTools } from "./tool-store.ts";
 
 /** Goes one step through the history and shows what has changed: a row of the tools, a described cycle, or the work with the prompt. */
 function goAndShow(way: keyof Steps, run: () => void): void {

@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import { useEditor } from "../store.ts";
+import { useEditor } from "./store.ts";
 
 /** The work whose setup sheet is shown in place of its workplace; null shows none. Undo does not touch it. */
 export const useSheetPlace = create<{ readonly of: string | null }>(() => ({ of: null }));

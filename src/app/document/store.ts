@@ -1,6 +1,6 @@
-import type { HandedOn, Job } from "../program/job.ts";
+import type { HandedOn, Job } from "../../program/job.ts";
 import { closeStep, forget, goesOn, note, noteChange, stepBetween } from "./steps.ts";
-import { heldWhileTyping } from "./base/typing.ts";
+import { heldWhileTyping } from "../base/typing.ts";
 import { isProgram, type ProgramWork, type Work } from "./work.ts";
 
 /** What is worked on, and the name it is kept under on this device. */

@@ -1,5 +1,5 @@
-import type { TaskWork } from "../../../program/job.ts";
-import { edit, changeProgram, useEditor, type Editor } from "../../store.ts";
+import type { TaskWork } from "../../program/job.ts";
+import { edit, changeProgram, useEditor, type Editor } from "./store.ts";
 
 /** The task that the open work is; undefined of any other work. */
 export const taskOfWork = ({ job, program }: Editor): TaskWork | undefined => (job ?? program)?.task;

@@ -1,9 +1,9 @@
 import { useEffect, useMemo, useState } from "react";
 import type { Job } from "../../program/job.ts";
 import type { NcOutput } from "../../program/nc-output.ts";
-import { isoFile, manualText, printedText, type IsoFile } from "../printed.ts";
+import { isoFile, manualText, printedText, type IsoFile } from "./printed.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { changeProgram, edit, handedOn, useEditor } from "../store.ts";
+import { changeProgram, edit, handedOn, useEditor } from "./store.ts";
 
 /** What kind of file leaves the page. */
 export type FileKind = "tnc640" | "tnc7" | "iso";

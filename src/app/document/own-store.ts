@@ -1,6 +1,6 @@
 import { create } from "zustand";
 import type { OwnList } from "../../program/own-library.ts";
-import { forget, goesOn, noteChange } from "../steps.ts";
+import { forget, goesOn, noteChange } from "./steps.ts";
 
 /** The cycles of this device's operator, as typed. They belong to no program: any of them may call one. */
 export interface Own {

@@ -1,8 +1,8 @@
-import { ncLabels } from "../i18n/nc-labels.ts";
-import type { Tool } from "../kernel/tool.ts";
-import type { Job, SetJob } from "../program/job.ts";
-import { printAsInManual, printJob } from "../program/print-job.ts";
-import { untilHere } from "./base/parts.ts";
+import { ncLabels } from "../../i18n/nc-labels.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import type { Job, SetJob } from "../../program/job.ts";
+import { printAsInManual, printJob } from "../../program/print-job.ts";
+import { untilHere } from "../base/parts.ts";
 import { setJobOf } from "./reading.ts";
 
 const printed = new WeakMap<SetJob, string>();
@@ -34,7 +34,7 @@ export interface IsoFile {
 
 /** A Klartext program in DIN/ISO; its printer is fetched when it is first needed. */
 export async function isoFile(text: string): Promise<IsoFile> {
-  const [{ isoProgramText }, { parse }] = await untilHere(() => Promise.all([import("../nc/iso/print-iso.ts"), import("../nc/parse.ts")]));
+  const [{ isoProgramText }, { parse }] = await untilHere(() => Promise.all([import("../../nc/iso/print-iso.ts"), import("../../nc/parse.ts")]));
   const made = isoProgramText(parse(text));
   return { text: made.text, kept: made.kept.map(({ number }) => number) };
 }

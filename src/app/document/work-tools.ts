@@ -2,7 +2,7 @@ import type { HandedOn, TaskWork } from "../../program/job.ts";
 import type { Control } from "../../program/plane-types.ts";
 import type { ToolList } from "../../program/tool-list.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { handedOn, useEditor } from "../store.ts";
+import { handedOn, useEditor } from "./store.ts";
 import { toolsOnDevice, useTools } from "./tool-store.ts";
 
 /** The tools that a work runs with: those it was handed on with, or the table of this device. */

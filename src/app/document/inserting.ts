@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import { useEditor } from "../store.ts";
+import { useEditor } from "./store.ts";
 
 interface Inserting {
   /** Behind which operation, by its place in the list; null puts it before all others. */
