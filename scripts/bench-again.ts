@@ -1,5 +1,5 @@
 import { readFileSync } from "node:fs";
-import { planner } from "../src/app/engine/plan.ts";
+import { planner } from "../src/app/calculation/plan.ts";
 import { parse } from "../src/nc/parse.ts";
 import { run } from "../src/program/run.ts";
 import { shippedTools } from "../src/program/shipped-tools.ts";

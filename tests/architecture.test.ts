@@ -159,7 +159,7 @@ describe("what the start page waits for", () => {
     "src/i18n/en/index.ts",
     "src/app/base/settings/use-texts.ts",
     "src/app/document/reading.ts",
-    "src/app/engine/client.ts",
+    "src/app/calculation/client.ts",
   ])("not %s", (name) => expect(reached.get(name)).toBe(undefined));
 
   test("nothing of the catalogue, no strategy, no text of a dialog", () => {

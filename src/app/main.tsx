@@ -7,7 +7,7 @@ import { goTo } from "./address/here.ts";
 import { App } from "./App.tsx";
 import { CrashGuard } from "./CrashGuard.tsx";
 import { startReports } from "./crash/reports.ts";
-import { startEngineLater } from "./engine/later.ts";
+import { startEngineLater } from "./calculation/later.ts";
 import { openShared } from "./files/open-shared.ts";
 import { onHistoryKey } from "./document/history.ts";
 import { startOwn } from "./own/keep-own.ts";

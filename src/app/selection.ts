@@ -8,7 +8,7 @@ import type { PlayPosition } from "../sim/simulation.ts";
 import { showChoice } from "./approach/shown-view.ts";
 import { readRows } from "../program/contour-rows.ts";
 import { chooseElement, useContourPlace } from "./place/contour-place.ts";
-import { playback } from "./playback.ts";
+import { playback } from "./calculation/playback.ts";
 import { NOTHING_SELECTED, useSelection, type Selection } from "./document/selected.ts";
 import { useEditor } from "./document/store.ts";
 

@@ -4,7 +4,7 @@ import { ApproachDialog } from "../../src/app/approach/ApproachDialog.tsx";
 import { entryAt } from "../../src/app/findings/entry.ts";
 import { PlaneView } from "../../src/app/approach/PlaneView.tsx";
 import { clock } from "../../src/app/base/clock.ts";
-import { createPlaybackStore } from "../../src/app/lathe/playback-store.ts";
+import { createPlaybackStore } from "../../src/app/calculation/playback-store.ts";
 import { followAppearance } from "../../src/app/base/settings/appearance.ts";
 import { fetchTexts } from "../../src/app/base/settings/loaded-texts.ts";
 import { useSettings } from "../../src/app/base/settings/settings.ts";

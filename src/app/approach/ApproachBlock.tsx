@@ -6,7 +6,7 @@ import { parametersBefore } from "../editor/block-context.ts";
 import { watchTyped } from "../editor/half-typed.ts";
 import { editProgram, useSession } from "../editor/session.ts";
 import { useShownBeside } from "../document/shown-file.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import { openWordOf, useGuidedBlock } from "../place/guide-place.ts";
 import { useEditor } from "../document/store.ts";

@@ -11,7 +11,7 @@ import { nearby } from "../../view/approach/forms.ts";
 import { px } from "../../view/help/marks.ts";
 import { HelpMarks } from "../help/HelpMarks.tsx";
 import { useSize } from "../help/use-size.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { approachSpeech } from "./speech.ts";
 import { gridOf, useDrag } from "./use-drag.ts";

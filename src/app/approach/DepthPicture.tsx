@@ -3,10 +3,10 @@ import type { PlaneStep } from "../../program/plane-types.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { depthStrip, stripAt } from "../../view/approach/depth.ts";
 import { bendsBetween } from "../../view/bends.ts";
-import { glide, type GlideWay } from "../lathe/glide.ts";
-import type { PlaybackStore } from "../lathe/playback-store.ts";
+import { glide, type GlideWay } from "../calculation/glide.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { JERKS } from "../lathe/Timeline.tsx";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 
 /** The height of the tool over its path, with the running moment. */

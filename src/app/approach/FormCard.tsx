@@ -7,7 +7,7 @@ import { nearby, type SuggestedForm } from "../../view/approach/forms.ts";
 import type { PlaneSegment } from "../../kernel/plane.ts";
 import { px } from "../../view/help/marks.ts";
 import { HelpMarks } from "../help/HelpMarks.tsx";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { approachSpeech } from "./speech.ts";
 

@@ -3,7 +3,7 @@ import type { Run } from "../../program/run-types.ts";
 import { useChosen } from "../document/chosen.ts";
 import { useFindings } from "../findings/use-findings.ts";
 import { LatheView } from "../lathe/LatheView.tsx";
-import type { PlaybackStore } from "../lathe/playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { lazyPart } from "../base/parts.ts";
 import { fetchAtRest } from "../base/rest.ts";
 import { useTexts } from "../base/settings/use-texts.ts";

@@ -5,7 +5,7 @@ import { planeMotionData } from "../../view/approach/motion-data.ts";
 import { spotAt } from "../../view/approach/plane-scene.ts";
 import { movingTip } from "../lathe/carry.ts";
 import { TipCarrier } from "../lathe/TipCarrier.tsx";
-import type { PlaybackStore } from "../lathe/playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { useEachReading, usePlayback } from "../lathe/use-playback.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 

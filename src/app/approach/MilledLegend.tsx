@@ -1,7 +1,7 @@
 import { formatNumber } from "../../i18n/number.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { MOST_MILLED, type NoStock } from "./cut-milled.ts";
+import { MOST_MILLED, type NoStock } from "../calculation/cut-milled.ts";
 import { toneName } from "./follow-milled.ts";
 import type { GrowingStock } from "./milled.ts";
 

@@ -6,7 +6,7 @@ import { ticks } from "../../view/ticks.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { usePageUnit } from "../base/unit.ts";
 
 /** Least distance of two marks, units of the page. */

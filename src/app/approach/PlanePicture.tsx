@@ -4,15 +4,15 @@ import type { RapidThrough } from "../../sim/plane/milled.ts";
 import type { PlaneRole } from "../../view/approach/plane-scene.ts";
 import { ringData } from "../../view/path.ts";
 import { useAhead } from "../lathe/Ahead.tsx";
-import type { PlaybackStore } from "../lathe/playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { World } from "../lathe/World.tsx";
-import type { NoStock } from "./cut-milled.ts";
+import type { NoStock } from "../calculation/cut-milled.ts";
 import type { GrowingStock } from "./milled.ts";
 import { MilledSheet } from "./MilledSheet.tsx";
 import { MillSheet, RunningMotion } from "./MillSheet.tsx";
 import { PlaneAxes } from "./PlaneAxes.tsx";
-import { planeOfRun } from "./plane-run.ts";
+import { planeOfRun } from "../calculation/plane-run.ts";
 
 /** Lines that lie on milled stock have a light edge, so that they are seen on its darkest tone. */
 const EDGED: readonly PlaneRole[] = ["rapid", "feed", "lead"];

@@ -6,9 +6,9 @@ import type { PlayPosition } from "../../sim/simulation.ts";
 import { spotAt } from "../../view/approach/plane-scene.ts";
 import { isRapid } from "../../kernel/mill-motion.ts";
 import type { Clock } from "../base/clock.ts";
-import type { PlaybackStore } from "../lathe/playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { useSaid, useSpoken } from "../lathe/use-said.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 
 /** What is said about a moment of a milling program. */

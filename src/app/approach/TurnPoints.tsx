@@ -2,7 +2,7 @@ import { useId, useMemo } from "react";
 import type { ApproachRun } from "../../program/plane-types.ts";
 import { withRoom } from "../../view/approach/room.ts";
 import type { Viewport } from "../lathe/viewport.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { PlanePoints } from "./PlanePoints.tsx";
 import { approachSpeech } from "./speech.ts";
 import "../help/help.css";

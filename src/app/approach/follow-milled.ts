@@ -5,11 +5,11 @@ import { toneOfDepth, type MilledColours } from "../../view/approach/milled-pain
 import { milledPainter, type MilledLook } from "../../view/approach/milled-painter.ts";
 import type { Patch } from "../../view/material/pen.ts";
 import { patchOf, patchWithin } from "../../view/material/touched.ts";
-import type { KnownMilling } from "../engine/load-request.ts";
-import { useOutcome } from "../engine/outcome.ts";
-import { askWorker } from "../engine/worker-life.ts";
+import type { KnownMilling } from "../calculation/load-request.ts";
+import { useOutcome } from "../calculation/outcome.ts";
+import { askWorker } from "../calculation/worker-life.ts";
 import { fitCanvas } from "../lathe/fit-canvas.ts";
-import type { PlaybackStore } from "../lathe/playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { playedLayer } from "../lathe/played-layer.ts";
 import { pageColours } from "../base/use-theme-colours.ts";
 import { drawnRoom, type Viewport } from "../lathe/viewport.ts";

@@ -3,7 +3,7 @@ import type { MilledStock, RapidThrough } from "../../sim/plane/milled.ts";
 import { boundsOf, grownBounds } from "../../view/bounds.ts";
 import type { Bounds } from "../../view/camera.ts";
 import type { LatheResult } from "../lathe/use-material.ts";
-import { cutFor, uncutStock, type NoStock } from "./cut-milled.ts";
+import { cutFor, uncutStock, type NoStock } from "../calculation/cut-milled.ts";
 
 /** Milled stock that is cut bit by bit while the page rests between two pictures. */
 export interface GrowingStock {

@@ -5,7 +5,7 @@ import type { Run } from "../../program/run-types.ts";
 import { standingAbove } from "../../sim/plane/body.ts";
 import { areasAt, type MilledStock } from "../../sim/plane/milled.ts";
 import { printsOfMilled } from "../../view/measure/print.ts";
-import type { PlaybackStore } from "../lathe/playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import type { MeasurableRun, MeasureSource } from "../measure/source.ts";
 
 /** The outline of the blank, seen from above. */

@@ -3,7 +3,7 @@ import type { PathChoice } from "../../program/path-index.ts";
 import { crossing, momentOn, sideOfChoice, type MachineSide } from "../../program/plane-index.ts";
 import type { Run } from "../../program/run-types.ts";
 import { trackOf } from "../../view/playback.ts";
-import type { PlaybackStore } from "../lathe/playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 
 /** Which picture of a program that both turns and mills is shown; null leaves it to the program. */
 interface AskedView {

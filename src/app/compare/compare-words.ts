@@ -9,7 +9,7 @@ import type { BlockDifference } from "../../program/compare/compare.ts";
 import { bareText, type WordChange } from "../../program/compare/meaning.ts";
 import { changedEffects, type Consequence, type Effects } from "../../report/compare/consequences.ts";
 import { verdictTitle } from "../findings/verdict-words.ts";
-import { issueText } from "../issue-text.ts";
+import { issueText } from "../calculation/issue-text.ts";
 import { isTold, isWriting, tallyOf, type ComparedFile, type Consequences } from "./compared.ts";
 
 /** Everything that words are made with. */

@@ -5,7 +5,7 @@ import { byOperation, type ComparedOperation } from "../../program/compare/by-op
 import { comparePrograms, type BlockDifference } from "../../program/compare/compare.ts";
 import { fileKey } from "../../program/program-files.ts";
 import { changedEffects, consequenceOf, effectsByUnit, effectsOf, type Consequence } from "../../report/compare/consequences.ts";
-import type { Outcome } from "../engine/outcome.ts";
+import type { Outcome } from "../calculation/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import { findingsOf } from "../findings/findings.ts";
 import { judged, type ShownVerdict } from "../findings/verdict.ts";

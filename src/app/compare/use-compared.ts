@@ -1,6 +1,6 @@
 import { useEffect, useState } from "react";
-import { outcomeBeside } from "../engine/beside.ts";
-import { isMadeFrom, useOutcome, type Outcome } from "../engine/outcome.ts";
+import { outcomeBeside } from "../calculation/beside.ts";
+import { isMadeFrom, useOutcome, type Outcome } from "../calculation/outcome.ts";
 import { useEditor } from "../document/store.ts";
 import type { ProgramWork } from "../document/work.ts";
 import { comparedFiles, consequencesOf, type ComparedFile, type Consequences } from "./compared.ts";

@@ -7,7 +7,7 @@ import type { ContourRow } from "../../program/job.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { polarNames, polarOf, polarTyped, withPolar, type PolarName } from "../../program/polar-row.ts";
 import { Icon } from "../base/Icon.tsx";
-import { issueText } from "../issue-text.ts";
+import { issueText } from "../calculation/issue-text.ts";
 import { chooseElement } from "../place/contour-place.ts";
 import { RecessFields } from "./RecessFields.tsx";
 import { ContourCell, type Shown } from "./ContourCell.tsx";

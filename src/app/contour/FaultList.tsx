@@ -2,7 +2,7 @@ import { texts } from "../base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { RowIssue } from "../../program/contour-rows.ts";
 import { Icon } from "../base/Icon.tsx";
-import { issueText } from "../issue-text.ts";
+import { issueText } from "../calculation/issue-text.ts";
 
 interface Props {
   readonly issues: readonly RowIssue[];

@@ -1,9 +1,9 @@
 import { useCallback, useMemo, useRef } from "react";
 import { blocksOfLines } from "../../course/start-of.ts";
 import { clockText } from "../base/clock-text.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { GlyphButton } from "../lathe/GlyphButton.tsx";
-import type { PlaybackStore } from "../lathe/playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { runningText } from "../lathe/running.ts";
 import { useEachReading, usePlayback } from "../lathe/use-playback.ts";
 import type { Run } from "../../program/run-types.ts";

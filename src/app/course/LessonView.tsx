@@ -6,7 +6,7 @@ import type { LessonPage } from "../../course/progress.ts";
 import { goToCourse } from "../document/go-home.ts";
 import { clock } from "../base/clock.ts";
 import { Icon } from "../base/Icon.tsx";
-import { createPlaybackStore } from "../lathe/playback-store.ts";
+import { createPlaybackStore } from "../calculation/playback-store.ts";
 import { atOnce } from "../base/settings/later-texts.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { fetchLesson, inScreenLanguage, useCourseIndex, type LessonEntry } from "./content.ts";

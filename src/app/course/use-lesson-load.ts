@@ -1,7 +1,7 @@
 import { useEffect } from "react";
-import { loadRequestOf } from "../engine/load-request.ts";
-import type { Outcome } from "../engine/outcome.ts";
-import { askAgain } from "../engine/worker-life.ts";
+import { loadRequestOf } from "../calculation/load-request.ts";
+import type { Outcome } from "../calculation/outcome.ts";
+import { askAgain } from "../calculation/worker-life.ts";
 import { useMeasuredLoad } from "../load/load-store.ts";
 import type { Told } from "../load/use-load.ts";
 

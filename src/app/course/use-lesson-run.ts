@@ -1,7 +1,7 @@
 import { useEffect, useState } from "react";
 import { shippedList } from "../../program/tool-list.ts";
-import type { Outcome } from "../engine/outcome.ts";
-import { askAgain } from "../engine/worker-life.ts";
+import type { Outcome } from "../calculation/outcome.ts";
+import { askAgain } from "../calculation/worker-life.ts";
 import { toolsOnDevice } from "../document/tool-store.ts";
 
 /** Rapid rate of the lessons, mm/min. */

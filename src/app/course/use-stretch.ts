@@ -2,7 +2,7 @@ import { useEffect, useMemo, useRef } from "react";
 import type { Played } from "../../course/played.ts";
 import type { Run } from "../../program/run-types.ts";
 import { secondsAt, trackOf } from "../../view/playback.ts";
-import type { PlaybackStore } from "../lathe/playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 
 /** How long a stretch takes to be looked at, s of the clock: some for itself and a little for each move, within bounds. */
 const LASTS = { base: 6, move: 0.12, most: 28 } as const;

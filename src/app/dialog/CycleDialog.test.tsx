@@ -8,7 +8,7 @@ import { run } from "../../program/run.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { draftOf, setPrompt } from "../document/edits.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { openPrompt } from "../place/place.ts";
 import { printedText } from "../document/printed.ts";
 import { useReading } from "../document/reading.ts";

@@ -4,7 +4,7 @@ import type { ThreadSize } from "../../cycles/thread-sizes.ts";
 import { setPrompts } from "../document/edits.ts";
 import { useOpenCall } from "../place/guide-place.ts";
 import { Icon } from "../base/Icon.tsx";
-import { CycleInWork } from "../issue-text.ts";
+import { CycleInWork } from "../calculation/issue-text.ts";
 import { lazyPart } from "../base/parts.ts";
 import type { JobReading } from "../document/reading.ts";
 import { useTexts } from "../base/settings/use-texts.ts";

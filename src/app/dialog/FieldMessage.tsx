@@ -4,8 +4,8 @@ import { valueInProgram } from "../../program/cycle-values.ts";
 import { Icon } from "../base/Icon.tsx";
 import { goToField } from "../place/place.ts";
 import type { FindingEntry } from "../findings/entry.ts";
-import { CycleInWork, useIssueText } from "../issue-text.ts";
-import { useLengths } from "../lengths.ts";
+import { CycleInWork, useIssueText } from "../calculation/issue-text.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { writeTyped } from "./write-value.ts";
 

@@ -7,7 +7,7 @@ import { run } from "../../program/run.ts";
 import type { Operation } from "../../program/run-types.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
-import { forgetOutcome, takeOutcome } from "../engine/outcome.ts";
+import { forgetOutcome, takeOutcome } from "../calculation/outcome.ts";
 import { printedText } from "../document/printed.ts";
 import { changeSettings } from "../base/settings/settings.ts";
 import { ThreadPicture } from "./ThreadPicture.tsx";

@@ -1,6 +1,6 @@
 import { useMemo } from "react";
 import { threadProfile } from "../../view/thread-profile.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import type { Operation } from "../../program/run-types.ts";
 import { useShownBeside } from "../document/shown-file.ts";
 import { isDefinedIn } from "../document/shown-findings.ts";

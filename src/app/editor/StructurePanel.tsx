@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useRef, useState } from "react";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { KEEPS_KEYBOARD } from "../place/place.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { chooseOpenBlock } from "./choose-block.ts";
 import { partsOf, type Part, type PartFilter } from "./program-parts.ts";

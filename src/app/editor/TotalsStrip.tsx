@@ -10,12 +10,12 @@ import { effectNow } from "../effect/effect.ts";
 import { PinButton } from "../effect/Pinned.tsx";
 import { TimeName } from "../effect/TimeName.tsx";
 import { MoreFaults, useChanges } from "../effect/Was.tsx";
-import { Checking, useChecking } from "../engine/Checking.tsx";
-import { useOutcome } from "../engine/outcome.ts";
+import { Checking, useChecking } from "../calculation/Checking.tsx";
+import { useOutcome } from "../calculation/outcome.ts";
 import { StripStatus } from "../findings/StripStatus.tsx";
 import { useVerdict } from "../findings/use-findings.ts";
 import { VerdictText } from "../findings/VerdictText.tsx";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useSession } from "./session.ts";
 

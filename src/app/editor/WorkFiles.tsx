@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useRef, useState } from "react";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { askForFiles } from "../files/file-handle.ts";
-import { missingFiles } from "../files/missing-files.ts";
+import { missingFiles } from "../calculation/missing-files.ts";
 import { addFiles } from "../files/open-program.ts";
 import { Icon } from "../base/Icon.tsx";
 import { fileKey } from "../../program/program-files.ts";

@@ -1,9 +1,9 @@
 import { blockSpan } from "../../program/block-span.ts";
 import type { PathChoice } from "../../program/path-index.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { shownBeside } from "../document/shown-file.ts";
 import { trackOf } from "../../view/playback.ts";
-import { playback } from "../playback.ts";
+import { playback } from "../calculation/playback.ts";
 import { useSelection } from "../document/selected.ts";
 import { choosePath } from "../selection.ts";
 import { isPresent } from "./present.ts";

@@ -5,7 +5,7 @@ import type { Texts } from "../../i18n/index.ts";
 import type { Lengths } from "../../i18n/lengths.ts";
 import { blockAt } from "../../nc/reread.ts";
 import type { RunFinding } from "../../program/run-types.ts";
-import { issueText, placeInFile } from "../issue-text.ts";
+import { issueText, placeInFile } from "../calculation/issue-text.ts";
 import { readingField } from "./reading-field.ts";
 
 /** More marks than these would say no more. */

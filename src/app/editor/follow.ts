@@ -1,11 +1,11 @@
 import type { StateEffect } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
 import { shownBlock } from "../approach/shown-view.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { showSection, usePlace } from "../place/place.ts";
 import type { Playback } from "../../view/playback.ts";
-import { playback } from "../playback.ts";
-import { lengthsOf } from "../lengths.ts";
+import { playback } from "../calculation/playback.ts";
+import { lengthsOf } from "../calculation/lengths.ts";
 import { texts } from "../base/settings/loaded-texts.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { setRunning } from "./block-marks.ts";

@@ -1,6 +1,6 @@
 import type { Program } from "../../nc/program.ts";
 import type { Draft } from "../../program/read-draft.ts";
-import { holdPicture } from "../engine/outcome.ts";
+import { holdPicture } from "../calculation/outcome.ts";
 import { readingOfBlock } from "./block-prompts.ts";
 import { cursorBlock, readingField } from "./reading-field.ts";
 import type { TextUpdate } from "./text-view.ts";

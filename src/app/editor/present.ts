@@ -1,4 +1,4 @@
-import { isMadeFrom, type Outcome, type Planned } from "../engine/outcome.ts";
+import { isMadeFrom, type Outcome, type Planned } from "../calculation/outcome.ts";
 import { shownFile } from "../document/shown-file.ts";
 import { useEditor } from "../document/store.ts";
 import { sessionText } from "./session.ts";

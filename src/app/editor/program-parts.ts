@@ -1,7 +1,7 @@
 import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { actsAtOnce } from "../../program/unproved-blocks.ts";
-import type { Outcome } from "../engine/outcome.ts";
+import type { Outcome } from "../calculation/outcome.ts";
 import { kindOf, type BlockKind } from "./block-kind.ts";
 import { isDefinedIn } from "../document/shown-findings.ts";
 

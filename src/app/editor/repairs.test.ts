@@ -1,11 +1,11 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
-import { engine } from "../engine/engine.ts";
-import type { Outcome } from "../engine/outcome.ts";
+import { engine } from "../calculation/engine.ts";
+import type { Outcome } from "../calculation/outcome.ts";
 import { findingsOf } from "../findings/findings.ts";
 import { texts } from "../../i18n/index.ts";
-import { issueText } from "../issue-text.ts";
-import { lengthsOf } from "../lengths.ts";
+import { issueText } from "../calculation/issue-text.ts";
+import { lengthsOf } from "../calculation/lengths.ts";
 import { parse } from "../../nc/parse.ts";
 import { print } from "../../nc/program.ts";
 import { NC_OUTPUTS } from "../../program/nc-output.ts";

@@ -1,14 +1,14 @@
 import { useMemo } from "react";
 import { writeTyped } from "../dialog/write-value.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import type { FindingsHost, Mend } from "../findings/host.ts";
 import { askForFiles } from "../files/file-handle.ts";
-import { missingFile } from "../files/missing-files.ts";
+import { missingFile } from "../calculation/missing-files.ts";
 import { addFiles } from "../files/open-program.ts";
 import { showFile, useShownBeside } from "../document/shown-file.ts";
 import { isIn, ownPlace } from "../document/shown-findings.ts";
-import { placeInFile } from "../issue-text.ts";
+import { placeInFile } from "../calculation/issue-text.ts";
 import type { Program } from "../../nc/program.ts";
 import { showSection } from "../place/place.ts";
 import { outputInUse } from "../document/output.ts";

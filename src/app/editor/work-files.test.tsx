@@ -8,7 +8,7 @@ import { filesByName } from "../../program/program-files.ts";
 import { run } from "../../program/run.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
-import { forgetOutcome, takeOutcome } from "../engine/outcome.ts";
+import { forgetOutcome, takeOutcome } from "../calculation/outcome.ts";
 import { changeSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../document/store.ts";
 import { filesOf } from "../document/work.ts";

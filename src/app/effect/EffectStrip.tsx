@@ -1,7 +1,7 @@
 import { useEffect, type ReactNode } from "react";
 import { formatFixed } from "../../i18n/number.ts";
-import { Checking, useChecking } from "../engine/Checking.tsx";
-import { useOutcome } from "../engine/outcome.ts";
+import { Checking, useChecking } from "../calculation/Checking.tsx";
+import { useOutcome } from "../calculation/outcome.ts";
 import { StripStatus } from "../findings/StripStatus.tsx";
 import { useVerdict } from "../findings/use-findings.ts";
 import { VerdictText } from "../findings/VerdictText.tsx";

@@ -1,5 +1,5 @@
 import { Suspense } from "react";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { lazyPart } from "../base/parts.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { pin, useCompared } from "./before.ts";

@@ -1,6 +1,6 @@
 import { useMemo } from "react";
-import { useOutcome } from "../engine/outcome.ts";
-import { useLengths } from "../lengths.ts";
+import { useOutcome } from "../calculation/outcome.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { settingOf, useCompared, type MeasuredSetting } from "./before.ts";
 import { changeText, numberText, type ComparedNumber } from "./changes.ts";

@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import { useOutcome, type Outcome, type Planned } from "../engine/outcome.ts";
+import { useOutcome, type Outcome, type Planned } from "../calculation/outcome.ts";
 import { usePlace } from "../place/place.ts";
 import { printedText } from "../document/printed.ts";
 import { readJob } from "../document/reading.ts";

@@ -1,8 +1,8 @@
 // @vitest-environment jsdom
 import { beforeEach, expect, test } from "vitest";
 import { shippedTools } from "../../program/shipped-tools.ts";
-import { engine } from "../engine/engine.ts";
-import { forgetOutcome, takeOutcome } from "../engine/outcome.ts";
+import { engine } from "../calculation/engine.ts";
+import { forgetOutcome, takeOutcome } from "../calculation/outcome.ts";
 import { useKeeping } from "../saving/keep.ts";
 import { undo, redo } from "../document/steps.ts";
 import { begin, changeProgram, useEditor } from "../document/store.ts";
@@ -10,7 +10,7 @@ import { textsOf } from "../document/work.ts";
 import { endChoice, useChoice } from "../document/choice.ts";
 import { plainFiles } from "./file-handle.ts";
 import { LARGEST_PROGRAM } from "../base/limits.ts";
-import { missingFiles } from "./missing-files.ts";
+import { missingFiles } from "../calculation/missing-files.ts";
 import { addFiles, openDropped, openFiles } from "./open-program.ts";
 import { shownBeside, shownFile, showFile } from "../document/shown-file.ts";
 

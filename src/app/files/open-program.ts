@@ -1,5 +1,5 @@
 import { decode } from "../document/encoding.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import type { HandedOn } from "../../program/job.ts";
 import { fileKey } from "../../program/program-files.ts";
 import { untilHere } from "../base/parts.ts";
@@ -13,7 +13,7 @@ import { askWhich, useChoice } from "../document/choice.ts";
 import type { FolderContent } from "./folder.ts";
 import { handleOf, plainFiles, type Chosen, type FileHandle } from "./file-handle.ts";
 import { LARGEST_PROGRAM } from "../base/limits.ts";
-import { missingFiles } from "./missing-files.ts";
+import { missingFiles } from "../calculation/missing-files.ts";
 
 /** Opens a program as work of its own; what was open stays on the device. */
 export const openProgram = (program: ProgramWork): void => startWork(program);

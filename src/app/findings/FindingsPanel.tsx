@@ -1,7 +1,7 @@
 import { useEffect, useRef } from "react";
 import { Icon } from "../base/Icon.tsx";
-import { issueText, placeInFile } from "../issue-text.ts";
-import { useLengths } from "../lengths.ts";
+import { issueText, placeInFile } from "../calculation/issue-text.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { chooseFinding, useChosen } from "../document/chosen.ts";
 import type { FindingEntry } from "./entry.ts";

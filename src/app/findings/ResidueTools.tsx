@@ -1,9 +1,9 @@
 import { useState } from "react";
 import { writer } from "../../i18n/write.ts";
 import type { Remedy } from "../../report/remedies.ts";
-import { remediesOf } from "../engine/tool-questions.ts";
-import { useOutcome } from "../engine/outcome.ts";
-import { useLengths } from "../lengths.ts";
+import { remediesOf } from "../calculation/tool-questions.ts";
+import { useOutcome } from "../calculation/outcome.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { regionOfResidual } from "../document/residual-region.ts";
 import { WhichButton } from "../document/WhichButton.tsx";

@@ -1,8 +1,8 @@
 import { useEffect, useState } from "react";
 import type { ToolFit } from "../../program/which-tool.ts";
 import { BY_TOOL } from "../../report/offered-tool.ts";
-import { fitsOfCall } from "../engine/tool-questions.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { fitsOfCall } from "../calculation/tool-questions.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";

@@ -1,5 +1,5 @@
 import { Icon, type IconName } from "../base/Icon.tsx";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { toneOf, type ShownVerdict } from "./verdict.ts";
 import { verdictReasons, verdictTitle } from "./verdict-words.ts";

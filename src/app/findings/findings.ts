@@ -5,7 +5,7 @@ import { placesJoined, workOf } from "../../report/places.ts";
 import { followsQuestion, QUESTIONS } from "../../sim/causes.ts";
 import { stockIssues } from "../../sim/issues.ts";
 import { contourProblems } from "../document/contour-problems.ts";
-import type { Outcome } from "../engine/outcome.ts";
+import type { Outcome } from "../calculation/outcome.ts";
 import type { JobReading } from "../document/reading.ts";
 import { inOrder, type FindingEntry } from "./entry.ts";
 import { letterOf, spotOfProof, spotOfRun } from "./spots.ts";

@@ -1,5 +1,5 @@
 import { useMemo } from "react";
-import { useOutcome, type Outcome } from "../engine/outcome.ts";
+import { useOutcome, type Outcome } from "../calculation/outcome.ts";
 import { readJob, useReading, type JobReading } from "../document/reading.ts";
 import { useEditor } from "../document/store.ts";
 import { isToDo, type FindingEntry } from "./entry.ts";

@@ -1,5 +1,5 @@
 import { verdictOf, type VerdictReason } from "../../report/verdict.ts";
-import type { Outcome } from "../engine/outcome.ts";
+import type { Outcome } from "../calculation/outcome.ts";
 import { isError, isToDo, type FindingEntry } from "./entry.ts";
 
 /** Why a program is not proved, or not wholly, with what the sentence about it needs. */

@@ -3,7 +3,7 @@ import type { Box } from "../../kernel/geometry/segments.ts";
 import type { Ring } from "../../kernel/point.ts";
 import type { Step } from "../../kernel/step.ts";
 import { ringData, segmentData, stretchData } from "../../view/path.ts";
-import type { Outcome } from "../engine/outcome.ts";
+import type { Outcome } from "../calculation/outcome.ts";
 
 /** Lines of a hatch across a picture. */
 const HATCHES = 42;

@@ -12,8 +12,8 @@ import { cameraFor, onScreen, planeFrameOf } from "../../view/approach/frame.ts"
 import { px } from "../../view/help/marks.ts";
 import { approachSpeech } from "../approach/speech.ts";
 import { HelpMarks } from "../help/HelpMarks.tsx";
-import { useIssueText } from "../issue-text.ts";
-import { lengthsOf } from "../lengths.ts";
+import { useIssueText } from "../calculation/issue-text.ts";
+import { lengthsOf } from "../calculation/lengths.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { formAtValues, namedAt, sizedWords, type FormAtValue, type SizedWord } from "./form-values.ts";

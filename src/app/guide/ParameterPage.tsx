@@ -5,7 +5,7 @@ import type { CycleNumber, ParamTextId } from "../../cycles/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { Numbers } from "../../view/help/lettering.ts";
 import { unitOf } from "../dialog/write-value.ts";
-import { givenOf } from "../engine/given.ts";
+import { givenOf } from "../calculation/given.ts";
 import { HelpPicture } from "../help/HelpPicture.tsx";
 import { Icon } from "../base/Icon.tsx";
 import { readJob } from "../document/reading.ts";

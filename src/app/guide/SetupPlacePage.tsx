@@ -1,9 +1,9 @@
 import { cuttingCycles, cycleByNumber } from "../../cycles/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { never } from "../../kernel/never.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { Icon } from "../base/Icon.tsx";
-import { CycleInWork } from "../issue-text.ts";
+import { CycleInWork } from "../calculation/issue-text.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useEditor } from "../document/store.ts";

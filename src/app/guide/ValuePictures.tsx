@@ -2,7 +2,7 @@ import type { ParamTextId } from "../../cycles/index.ts";
 import type { Cycle } from "../../cycles/define.ts";
 import type { Param, Topic } from "../../cycles/params.ts";
 import { formatNumber } from "../../i18n/number.ts";
-import { CycleInWork } from "../issue-text.ts";
+import { CycleInWork } from "../calculation/issue-text.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { unitOf } from "../dialog/write-value.ts";

@@ -6,7 +6,7 @@ import { exampleJob, newRow } from "../../program/job.ts";
 import { run } from "../../program/run.ts";
 import { shippedTools } from "../../program/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
-import { forgetOutcome, takeOutcome } from "../engine/outcome.ts";
+import { forgetOutcome, takeOutcome } from "../calculation/outcome.ts";
 
 import { printedText } from "../document/printed.ts";
 import { readJob } from "../document/reading.ts";

@@ -1,6 +1,6 @@
 import type { Box } from "../../kernel/geometry/segments.ts";
 import { makesPath, shownBox, shownChange, shownEffect, type ShownChange, type ShownEffect } from "../../report/guide/shown-effect.ts";
-import type { Outcome } from "../engine/outcome.ts";
+import type { Outcome } from "../calculation/outcome.ts";
 
 /** What was run with one value. */
 export interface RanValue {

@@ -7,7 +7,7 @@ import { radius, toDiameter } from "../../kernel/units.ts";
 import type { Operation } from "../../program/run-types.ts";
 import { advise, type Advice, type Advised } from "../../report/advice/advise.ts";
 import { readCuttingTable, usualTable, type CutMaterial, type CuttingTable } from "../../program/cutting-table.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { laterTexts } from "../base/settings/later-texts.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../document/store.ts";

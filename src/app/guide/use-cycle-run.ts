@@ -1,7 +1,7 @@
 import { useEffect, useState } from "react";
 import type { Cycle } from "../../cycles/define.ts";
 import { makesPath } from "../../report/guide/shown-effect.ts";
-import type { Outcome } from "../engine/outcome.ts";
+import type { Outcome } from "../calculation/outcome.ts";
 import { guideSources, ranBeside } from "./guide-source.ts";
 
 /** A cycle as it runs, with the operator's values or those of the example. */

@@ -3,7 +3,7 @@ import type { Cycle } from "../../cycles/define.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
 import type { SetJob } from "../../program/job.ts";
 import { demonstrate } from "../../report/guide/demonstrate.ts";
-import { givenOf } from "../engine/given.ts";
+import { givenOf } from "../calculation/given.ts";
 import { readJob } from "../document/reading.ts";
 import { guideSources, ranBeside, useGuideSource } from "./guide-source.ts";
 import { compared, type TriedOutcome } from "./tried.ts";

@@ -4,7 +4,7 @@ import { exampleJob, UNSET } from "../../program/job.ts";
 import { EXAMPLE_MACHINES } from "../../program/example-machines.ts";
 import { machineOf, writeMachine } from "../../program/machine-file.ts";
 import { shippedList } from "../../program/tool-list.ts";
-import { reported } from "../engine/reported.ts";
+import { reported } from "../calculation/reported.ts";
 import { openText } from "../files/open-program.ts";
 import { readArchive } from "../saving/archive.ts";
 import { changeSettings } from "../base/settings/settings.ts";
@@ -20,7 +20,7 @@ import { packed, packedFile } from "./pack.ts";
 import { callAs, callsOf, keepWorkTools, takeControlOfDevice, takeMachineOfDevice, takeTableOfDevice } from "./work-tools-edits.ts";
 
 /** The worker's answer, made here. */
-vi.mock("../engine/beside.ts", () => ({
+vi.mock("../calculation/beside.ts", () => ({
   reportOf: (work: Work, file: string) =>
     Promise.resolve(reported({
       version: 0,

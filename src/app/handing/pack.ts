@@ -1,7 +1,7 @@
 import { rowsCalled } from "../../program/tool-list.ts";
 import { time } from "../base/clock.ts";
 import { draftOf } from "../document/edits.ts";
-import { reportOf } from "../engine/beside.ts";
+import { reportOf } from "../calculation/beside.ts";
 import { fileOfJob } from "../document/printed.ts";
 import { setJobOf } from "../document/reading.ts";
 import { writeArchive } from "../saving/archive.ts";

@@ -2,10 +2,10 @@ import { memo, useMemo, type ReactNode } from "react";
 import type { Run } from "../../program/run-types.ts";
 import type { PathStretch } from "../../view/passes.ts";
 import { contourShapes, type Shape } from "../../view/scene.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { PassLines } from "./PassLines.tsx";
-import type { PlaybackStore } from "./playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { stretchesOf } from "./use-paths.ts";
 
 /*

@@ -3,7 +3,7 @@ import { diameter, toDiameter, toRadius, axial, radius } from "../../kernel/unit
 import { formatNumber } from "../../i18n/number.ts";
 import { toPlace, toScreen, type Camera, type Size } from "../../view/camera.ts";
 import { ticks } from "../../view/ticks.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { usePageUnit } from "../base/unit.ts";
 import { useCamera } from "./use-camera.ts";

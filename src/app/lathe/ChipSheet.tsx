@@ -1,9 +1,9 @@
 import { useEffect, useRef } from "react";
 import { sameChip, type Chip } from "../../sim/chip/chip.ts";
 import { chipMeasure, drawnChip } from "../../view/cutting-tool/chip-drawing.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import type { Camera } from "../../view/camera.ts";
-import type { Moving } from "./moving.ts";
+import type { Moving } from "../calculation/moving.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** Half the cross at the theoretical tip, and the scale from which on there is room for it, pixels and pixels a mm. */

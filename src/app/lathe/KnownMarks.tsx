@@ -5,7 +5,7 @@ import { axial, diameter, radius, toRadius } from "../../kernel/units.ts";
 import { toScreen } from "../../view/camera.ts";
 import type { Texts } from "../../i18n/index.ts";
 import { usePlace } from "../place/place.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
 import { useCamera } from "./use-camera.ts";
 import type { Viewport } from "./viewport.ts";

@@ -1,8 +1,8 @@
 import { memo, useCallback, useState } from "react";
 import type { Run } from "../../program/run-types.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import type { PlaybackStore } from "./playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { kindText, runningFeed, phaseText, placeText } from "./running.ts";
 import { useReadPlayback } from "./use-playback.ts";
 

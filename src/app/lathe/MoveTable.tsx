@@ -2,7 +2,7 @@ import { Suspense, useState } from "react";
 import type { Run } from "../../program/run-types.ts";
 import { lazyPart } from "../base/parts.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import type { PlaybackStore } from "./playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 
 /** Fetched when it is first unfolded. */
 const MoveRows = lazyPart(async () => ({ default: (await import("./MoveRows.tsx")).MoveRows }));

@@ -1,4 +1,4 @@
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 
 /** Over a dimmed picture: what it is. */

@@ -10,7 +10,7 @@ import { trackOf } from "../../view/playback.ts";
 import { manualClock } from "../base/clock.ts";
 import { printedText } from "../document/printed.ts";
 import { PassLines } from "./PassLines.tsx";
-import { createPlaybackStore } from "./playback-store.ts";
+import { createPlaybackStore } from "../calculation/playback-store.ts";
 
 /** A picture of the clock, ms. */
 const PICTURE = 16;

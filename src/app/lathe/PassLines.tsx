@@ -1,7 +1,7 @@
 import { memo, useEffect, useRef } from "react";
 import { progressOf, type PathStretch } from "../../view/passes.ts";
 import type { Shape } from "../../view/scene.ts";
-import type { PlaybackStore } from "./playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 
 /** Pictures between two changes of the lines while it plays: the whole drawing is painted anew with each; of a long path, seldom. */
 const PICTURES = { usual: 8, long: 60 } as const;

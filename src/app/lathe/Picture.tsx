@@ -10,7 +10,7 @@ import type { SectionView } from "../base/settings/settings.ts";
 import { NewestContour, NewestPath } from "./Ahead.tsx";
 import { LatheAxes } from "./Axes.tsx";
 import { MaterialSheet } from "./MaterialSheet.tsx";
-import type { Moving, Waiting } from "./moving.ts";
+import type { Moving, Waiting } from "../calculation/moving.ts";
 import { RunningMove } from "./RunningMove.tsx";
 import { RunningTool, WaitingTool } from "./ToolSheet.tsx";
 import type { Viewport } from "./viewport.ts";

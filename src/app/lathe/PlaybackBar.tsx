@@ -4,7 +4,7 @@ import { RATES } from "../../view/playback.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { GlyphButton } from "./GlyphButton.tsx";
-import type { PlaybackStore } from "./playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { usePlayback } from "./use-playback.ts";
 
 /** Play, pause, move by move, to the ends, and how fast. */

@@ -2,10 +2,10 @@ import { useCallback } from "react";
 import type { Run } from "../../program/run-types.ts";
 import type { Clock } from "../base/clock.ts";
 import type { Lengths } from "../../i18n/lengths.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import type { Moving } from "./moving.ts";
-import type { PlaybackStore } from "./playback-store.ts";
+import type { Moving } from "../calculation/moving.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { chipText, runningText, type Running } from "./running.ts";
 import { useSaid, useSpoken } from "./use-said.ts";
 

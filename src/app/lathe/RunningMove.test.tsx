@@ -11,7 +11,7 @@ import { trackOf } from "../../view/playback.ts";
 import { manualClock } from "../base/clock.ts";
 import { printedText } from "../document/printed.ts";
 import { RunningMove } from "./RunningMove.tsx";
-import { createPlaybackStore } from "./playback-store.ts";
+import { createPlaybackStore } from "../calculation/playback-store.ts";
 
 const stepsOf = (number: number) => {
   const cycle = cycleByNumber(number);

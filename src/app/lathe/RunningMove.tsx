@@ -1,7 +1,7 @@
 import { useCallback, useRef } from "react";
 import type { Step } from "../../kernel/step.ts";
 import { stretchData } from "../../view/path.ts";
-import { stepIndex, type Moving } from "./moving.ts";
+import { stepIndex, type Moving } from "../calculation/moving.ts";
 import { useEachPicture } from "./use-playback.ts";
 
 /** The running move in its own strength. */

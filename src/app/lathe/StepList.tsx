@@ -2,7 +2,7 @@ import type { Run } from "../../program/run-types.ts";
 import { Icon } from "../base/Icon.tsx";
 import { changeSettings, useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import type { PlaybackStore } from "./playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { mostSteps, nearestCycle, runningSteps } from "./running.ts";
 import { useReadPlayback } from "./use-playback.ts";
 

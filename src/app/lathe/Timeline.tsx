@@ -6,8 +6,8 @@ import { timeBar, type TimedStep } from "../../view/timeline.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { clockText } from "../base/clock-text.ts";
-import type { PlaybackStore } from "./playback-store.ts";
-import { glide } from "./glide.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
+import { glide } from "../calculation/glide.ts";
 import { useEachReading, usePlayback } from "./use-playback.ts";
 
 /** What a timeline is made from: a run, or the part of one that a view shows. */

@@ -14,7 +14,7 @@ import { restingTip, runningTip, type Carrying } from "./carry.ts";
 import { TipCarrier } from "./TipCarrier.tsx";
 import { ChipSheet } from "./ChipSheet.tsx";
 import { DrawnTool } from "./DrawnTool.tsx";
-import { stepIndex, type Moving } from "./moving.ts";
+import { stepIndex, type Moving } from "../calculation/moving.ts";
 import { usePlayback } from "./use-playback.ts";
 import type { Viewport } from "./viewport.ts";
 

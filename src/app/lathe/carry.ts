@@ -3,8 +3,8 @@ import type { Step } from "../../kernel/step.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { bendsBetween } from "../../view/bends.ts";
 import { tipAt } from "../../view/tip.ts";
-import { glide, type Gliding } from "./glide.ts";
-import type { PlaybackStore } from "./playback-store.ts";
+import { glide, type Gliding } from "../calculation/glide.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 
 /** A tip that something on the page goes along with. */
 export interface Carrying {

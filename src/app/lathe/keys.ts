@@ -1,6 +1,6 @@
 import { panned } from "../../view/camera.ts";
 import type { Measuring } from "../measure/measuring.ts";
-import type { PlaybackStore } from "./playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { ZOOM } from "./ViewBar.tsx";
 import type { Viewport } from "./viewport.ts";
 

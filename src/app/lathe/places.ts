@@ -6,7 +6,7 @@ import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";
 import type { FindingEntry, FindingSpot } from "../findings/entry.ts";
 import { useFindings } from "../findings/use-findings.ts";
-import { useIssueText } from "../issue-text.ts";
+import { useIssueText } from "../calculation/issue-text.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 
 /** A finding of the list that is to be seen in the picture. */

@@ -3,14 +3,14 @@ import type { Step } from "../../kernel/step.ts";
 import type { StockLook } from "../../view/material/stock-painter.ts";
 import { secondsAt, type PlayedTrack } from "../../view/playback.ts";
 import { dayMoment } from "../base/clock.ts";
-import type { KnownOutcome } from "../engine/load-request.ts";
-import { useOutcome } from "../engine/outcome.ts";
-import type { PlayedCourse, PlayedOn } from "../engine/played.ts";
-import type { Engine } from "../engine/worker.ts";
-import { askWorker } from "../engine/worker-life.ts";
+import type { KnownOutcome } from "../calculation/load-request.ts";
+import { useOutcome } from "../calculation/outcome.ts";
+import type { PlayedCourse, PlayedOn } from "../calculation/played.ts";
+import type { Engine } from "../calculation/worker.ts";
+import { askWorker } from "../calculation/worker-life.ts";
 import { layOver } from "./fit-canvas.ts";
-import { isOnCourse, type PlayCourse } from "./glide.ts";
-import type { PlaybackStore } from "./playback-store.ts";
+import { isOnCourse, type PlayCourse } from "../calculation/glide.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 
 /** The stock as the worker paints it while it plays, on a layer of its own over the one that the page paints. */
 export interface PlayedLayer<Look> {

@@ -1,7 +1,7 @@
 import { useEffect, useEffectEvent } from "react";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { chooseFinding, useChosen } from "../document/chosen.ts";
-import type { PlaybackStore } from "./playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import type { Viewport } from "./viewport.ts";
 import type { LookAt } from "./places.ts";
 

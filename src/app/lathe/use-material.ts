@@ -5,8 +5,8 @@ import type { Simulation } from "../../sim/simulation.ts";
 import { chipsOf } from "../../sim/chip/chips.ts";
 import { blanksOf, playerOf, sameBlank, type Player } from "../../sim/stock.ts";
 import { UNTOUCHED, type Surfaces } from "../../view/material/surfaces.ts";
-import { surfacesOfRun, type Moving } from "./moving.ts";
-import type { PlaybackStore } from "./playback-store.ts";
+import { surfacesOfRun, type Moving } from "../calculation/moving.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 
 /** A run with its simulation; without one as long as it is only planned. */
 export interface LatheResult {

@@ -3,9 +3,9 @@ import { markedBy, runningPart, type MoveSpan } from "../../program/path-index.t
 import type { Run } from "../../program/run-types.ts";
 import { MOST_STRETCHES, pathStretches, wholePath, type KnownLines, type PathStretch } from "../../view/passes.ts";
 import type { Shape, TipWays } from "../../view/scene.ts";
-import { whenRehearsed } from "../engine/page-plan.ts";
+import { whenRehearsed } from "../calculation/page-plan.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import type { PlaybackStore } from "./playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { usePlayback } from "./use-playback.ts";
 
 /** The lines of the path that are shown, and which moves are among them. */

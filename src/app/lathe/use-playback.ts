@@ -1,5 +1,5 @@
 import { useEffect, useSyncExternalStore } from "react";
-import type { PlaybackStore } from "./playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 
 /** One plain value of the playback; the component renders again only when that value changes. */
 export const usePlayback = <T extends string | number | boolean | null>(store: PlaybackStore, pick: (store: PlaybackStore) => T): T =>

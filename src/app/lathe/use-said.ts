@@ -1,6 +1,6 @@
 import { useCallback, useEffect, useRef, useState, type RefObject } from "react";
 import type { Clock } from "../base/clock.ts";
-import type { PlaybackStore } from "./playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { useEachReading } from "./use-playback.ts";
 
 /** What stands in an element with one text, without a new node for each text. */

@@ -3,7 +3,7 @@ import type { Run } from "../../program/run-types.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import type { ShownWork } from "../solid/show.ts";
 import type { Zooming } from "../solid/SolidView.tsx";
-import type { Moving, Waiting } from "./moving.ts";
+import type { Moving, Waiting } from "../calculation/moving.ts";
 import type { LatheResult } from "./use-material.ts";
 
 /** The view of the turned body in space: what it shows while it is asked for, and what zooms it once it is drawn. */

@@ -5,7 +5,7 @@ import { toneOf, type ShownVerdict } from "../findings/verdict.ts";
 import { verdictReasons, verdictTitle } from "../findings/verdict-words.ts";
 import { closeCopying, useCopying } from "../program/copy.ts";
 import { useFileKind } from "../document/output.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { blockCount } from "../document/printed.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 

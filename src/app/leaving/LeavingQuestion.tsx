@@ -1,7 +1,7 @@
 import { showSection } from "../place/place.ts";
 import { Icon } from "../base/Icon.tsx";
-import { issueText, placeInFile } from "../issue-text.ts";
-import { useLengths } from "../lengths.ts";
+import { issueText, placeInFile } from "../calculation/issue-text.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import type { FindingsHost } from "../findings/host.ts";
 import { verdictReasons } from "../findings/verdict-words.ts";

@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import { isMadeFrom, useOutcome } from "../engine/outcome.ts";
+import { isMadeFrom, useOutcome } from "../calculation/outcome.ts";
 import { isError, isToDo, type FindingEntry } from "../findings/entry.ts";
 import { presentFindings } from "../findings/use-findings.ts";
 import type { ShownVerdict } from "../findings/verdict.ts";

@@ -1,7 +1,7 @@
 import type { Run } from "../../program/run-types.ts";
 import { textWidth } from "../../view/help/labels.ts";
 import { useSeeing, type Seeing } from "../lathe/seeing.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useGreatest, useLoadTexts, loadValue, type Told } from "./use-load.ts";
 
 export interface LoadMarkProps {

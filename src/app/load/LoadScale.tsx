@@ -1,6 +1,6 @@
 import { classesOf, classTone } from "../../view/load/scale.ts";
 import type { LoadDrawing } from "../../view/load/lines.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { toneClass } from "./LoadLines.tsx";
 import { loadNumber, useLoadTexts, type Told } from "./use-load.ts";
 

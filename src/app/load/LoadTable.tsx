@@ -1,7 +1,7 @@
 import type { Run } from "../../program/run-types.ts";
-import type { PlaybackStore } from "../lathe/playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 import { placeText } from "../lathe/running.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { goToLoad } from "./go.ts";
 import { loadPlaceText, useGreatest, useLoadTexts, loadValue, type Told } from "./use-load.ts";

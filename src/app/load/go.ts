@@ -1,5 +1,5 @@
 import type { LoadPlace } from "../../view/load/values.ts";
-import type { PlaybackStore } from "../lathe/playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 
 /** The tool goes to the moment of a place and stays there. */
 export function goToLoad(playback: PlaybackStore, { position }: LoadPlace): void {

@@ -2,9 +2,9 @@ import { create } from "zustand";
 import type { Run } from "../../program/run-types.ts";
 import type { PathLoad } from "../../sim/load/along.ts";
 import type { RoughStretch } from "../../sim/load/roughness.ts";
-import { loadRequestOf, type KnownOutcome, type LoadRequest } from "../engine/load-request.ts";
-import { useOutcome } from "../engine/outcome.ts";
-import { askAgain } from "../engine/worker-life.ts";
+import { loadRequestOf, type KnownOutcome, type LoadRequest } from "../calculation/load-request.ts";
+import { useOutcome } from "../calculation/outcome.ts";
+import { askAgain } from "../calculation/worker-life.ts";
 
 /** What was measured of a run, as far as it was asked. */
 export interface MeasuredLoad {

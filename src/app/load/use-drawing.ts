@@ -1,7 +1,7 @@
 import { useMemo } from "react";
 import type { Run } from "../../program/run-types.ts";
 import { drawingAlong, drawingOfSurface, type LoadDrawing } from "../../view/load/lines.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { loadSize, useLoadOf, type Told } from "./use-load.ts";
 

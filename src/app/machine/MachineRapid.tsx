@@ -1,4 +1,4 @@
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { timeContents } from "../effect/time-contents.ts";
 import { useMachineTextsSoon } from "../base/use-machine-texts.ts";

@@ -10,7 +10,7 @@ import { onSide, halfOf } from "../../view/measure/snap.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { usePageUnit } from "../base/unit.ts";
 import { useMedia } from "../base/use-media.ts";
 import { MeasuredLabels, type Moved } from "./MeasuredLabels.tsx";

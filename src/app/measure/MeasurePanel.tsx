@@ -10,7 +10,7 @@ import { counted, gaugedFor, measure, measuredFor } from "../../view/measure/dis
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import { setMeasured } from "../document/edits.ts";
 import { Icon } from "../base/Icon.tsx";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { MeasuredInto, type MeasuredTarget } from "../document/measured-into.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useMedia } from "../base/use-media.ts";

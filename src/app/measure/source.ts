@@ -6,7 +6,7 @@ import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Chain } from "../../view/measure/edges.ts";
 import { printsOf } from "../../view/measure/print.ts";
 import type { MeasuredWork } from "../../view/measure/reading.ts";
-import type { PlaybackStore } from "../lathe/playback-store.ts";
+import type { PlaybackStore } from "../calculation/playback-store.ts";
 
 /**
  * What a picture has to measure. The pieces of measuring know no more of a picture than this and its viewport: the two axes are z to the

@@ -5,7 +5,7 @@ import { chooseOpenBlock } from "../editor/choose-block.ts";
 import { openBlock } from "../editor/session.ts";
 import { Icon, type IconName } from "../base/Icon.tsx";
 import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
-import { useLengths } from "../lengths.ts";
+import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import type { OperationRow } from "./operation-rows.ts";
 import { cycleWords, doneWords, titleOf } from "./words.ts";

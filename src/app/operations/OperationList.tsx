@@ -3,7 +3,7 @@ import type { Refusal } from "../../program/operation-edits.ts";
 import { openBlock, useSession } from "../editor/session.ts";
 import { chooseOpenBlock } from "../editor/choose-block.ts";
 import { isPresent } from "../editor/present.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { useShownBeside } from "../document/shown-file.ts";
 import { findingsHere } from "../document/shown-findings.ts";
 import { useListed } from "../findings/use-findings.ts";

@@ -1,7 +1,7 @@
 import { useLayoutEffect, useRef } from "react";
 import { startLines } from "../../nc/program.ts";
 import { useSession } from "../editor/session.ts";
-import { useFitsOfLine } from "../engine/fits.ts";
+import { useFitsOfLine } from "../calculation/fits.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { ToolChoice } from "./ToolChoice.tsx";

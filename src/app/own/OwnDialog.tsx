@@ -6,7 +6,7 @@ import { PromptDialog } from "../dialog/PromptDialog.tsx";
 import type { Prompt, PromptSession } from "../dialog/session.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import { Icon } from "../base/Icon.tsx";
-import { CycleInWork } from "../issue-text.ts";
+import { CycleInWork } from "../calculation/issue-text.ts";
 import { mayTakeKeyboard, openPrompt, usePlace } from "../place/place.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";

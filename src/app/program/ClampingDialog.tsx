@@ -4,7 +4,7 @@ import { clampingIn, proposedClamping, withClamping } from "../../program/clampi
 import type { ClampingDraft } from "../../program/clamping/words.ts";
 import { boundsOf } from "../../view/bounds.ts";
 import { editProgram, useSession } from "../editor/session.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { HandingDialog } from "../base/HandingDialog.tsx";
 import { ClampingFields } from "../setup/ClampingFields.tsx";
 import { useClampingTexts } from "../setup/clamping-texts.ts";

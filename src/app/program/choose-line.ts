@@ -1,5 +1,5 @@
 import { askedByMove } from "../../cycles/asked-by-move.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { openPrompt, showPrompt, showSection, usePlace } from "../place/place.ts";
 import { printedText } from "../document/printed.ts";
 import type { JobReading } from "../document/reading.ts";

@@ -1,6 +1,6 @@
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import { useReadPlayback } from "../lathe/use-playback.ts";
-import { playback } from "../playback.ts";
+import { playback } from "../calculation/playback.ts";
 
 /** Number of the block whose move stands at the playback's position; null before and after the run. */
 export function useRunningBlock(): number | null {

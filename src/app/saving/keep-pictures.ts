@@ -1,6 +1,6 @@
 import { madeOf } from "../../sim/made.ts";
 import { thumbnailOf } from "../../view/thumbnail.ts";
-import { isMadeFrom, useOutcome } from "../engine/outcome.ts";
+import { isMadeFrom, useOutcome } from "../calculation/outcome.ts";
 import { useEditor } from "../document/store.ts";
 import { keepPicture } from "./kept-picture.ts";
 

@@ -1,7 +1,7 @@
 import { proposedClamping } from "../../program/clamping/draft.ts";
 import { boundsOf } from "../../view/bounds.ts";
 import { setClamping } from "../document/edits.ts";
-import { useOutcome } from "../engine/outcome.ts";
+import { useOutcome } from "../calculation/outcome.ts";
 import type { JobReading } from "../document/reading.ts";
 import { ClampingFields } from "./ClampingFields.tsx";
 import { useClampingTexts } from "./clamping-texts.ts";

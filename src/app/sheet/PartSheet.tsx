@@ -4,7 +4,7 @@ import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import { partDrawing } from "../../view/sheet/part-drawing.ts";
 import { FIGURES } from "../../view/sheet/sizes.ts";
-import type { Outcome } from "../engine/outcome.ts";
+import type { Outcome } from "../calculation/outcome.ts";
 import { useDrawnMeasured } from "./SheetMeasured.tsx";
 import type { SheetWords } from "./sheet-words.ts";
 

@@ -5,7 +5,7 @@ import type { Clamping } from "../../kernel/clamping.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import { boundsOf } from "../../view/bounds.ts";
-import { missingFiles } from "../files/missing-files.ts";
+import { missingFiles } from "../calculation/missing-files.ts";
 import { filesOf, type ProgramWork } from "../document/work.ts";
 import { useClampingTexts } from "../setup/clamping-texts.ts";
 import type { SheetWords } from "./sheet-words.ts";

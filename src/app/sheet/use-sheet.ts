@@ -4,7 +4,7 @@ import { parse } from "../../nc/parse.ts";
 import type { Program } from "../../nc/program.ts";
 import type { Control } from "../../program/plane-types.ts";
 import { setupData, type SetupData } from "../../report/sheet/setup-data.ts";
-import { isMadeFrom, useOutcome, type Outcome } from "../engine/outcome.ts";
+import { isMadeFrom, useOutcome, type Outcome } from "../calculation/outcome.ts";
 import { fileOfJob, printedText } from "../document/printed.ts";
 import { useIsoFile } from "../document/output.ts";
 import { laterTexts } from "../base/settings/later-texts.ts";

@@ -1,7 +1,7 @@
 import type { ShownBodies, SolidTold } from "../../view/solid/shown-bodies.ts";
-import type { BodiesWanted } from "../engine/bodies.ts";
-import type { KnownOutcome } from "../engine/load-request.ts";
-import { askWorker } from "../engine/worker-life.ts";
+import type { BodiesWanted } from "../calculation/bodies.ts";
+import type { KnownOutcome } from "../calculation/load-request.ts";
+import { askWorker } from "../calculation/worker-life.ts";
 
 /** So long the worker may make bodies, or be at something else, before the page makes them itself, ms. */
 const PATIENCE = 1200;

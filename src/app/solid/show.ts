@@ -16,7 +16,7 @@ import type { TonedSide } from "../../view/solid/tones.ts";
 import { UNTOUCHED } from "../../view/material/surfaces.ts";
 import { tipAt } from "../../view/tip.ts";
 import { stopwatch, type Clock } from "../base/clock.ts";
-import { stepIndex, type Moving, type Waiting } from "../lathe/moving.ts";
+import { stepIndex, type Moving, type Waiting } from "../calculation/moving.ts";
 import { knownOf } from "../lathe/played-layer.ts";
 import { bodySource, isSameTold } from "./body-source.ts";
 import type { Eye } from "./eye.ts";

@@ -9,7 +9,7 @@ import type { Tried } from "../../report/which/try-way.ts";
 import type { Proposal } from "../../report/which/ways.ts";
 import { NO_AREA } from "../effect/effect.ts";
 import { Icon } from "../base/Icon.tsx";
-import { issueText } from "../issue-text.ts";
+import { issueText } from "../calculation/issue-text.ts";
 import { clockText } from "../base/clock-text.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";

@@ -8,7 +8,7 @@ import { tryWay } from "../../report/which/try-way.ts";
 import { waysFor } from "../../report/which/ways.ts";
 import { changeSettings } from "../base/settings/settings.ts";
 import { begin, useEditor } from "../document/store.ts";
-import type { Comparer } from "./comparison.ts";
+import type { Comparer } from "../calculation/comparison.ts";
 import type { WhichRegion } from "../document/asking.ts";
 import { WhichCycle } from "./WhichCycle.tsx";
 

@@ -1,12 +1,12 @@
 import { Suspense, useMemo, useRef, useState } from "react";
 import { loadWhich } from "../../i18n/load-which.ts";
-import { comparison as byWorker } from "../engine/beside.ts";
+import { comparison as byWorker } from "../calculation/beside.ts";
 import { Icon } from "../base/Icon.tsx";
 import { lazyPart } from "../base/parts.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { canBePreturned, readAsking, soughtAt, usualNumbers, type Sought, type WhichRegion } from "../document/asking.ts";
-import type { Comparer } from "./comparison.ts";
+import type { Comparer } from "../calculation/comparison.ts";
 import { Sentence } from "./Sentence.tsx";
 import { ContourStretch } from "./ContourStretch.tsx";
 import { takeWay } from "./take.ts";

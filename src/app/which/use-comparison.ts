@@ -3,7 +3,7 @@ import type { Wanted } from "../../cycles/wanted.ts";
 import type { Ring } from "../../kernel/point.ts";
 import type { Tried } from "../../report/which/try-way.ts";
 import type { Proposal } from "../../report/which/ways.ts";
-import type { Comparer } from "./comparison.ts";
+import type { Comparer } from "../calculation/comparison.ts";
 
 /** Rest after the last change before anything is tried, ms. */
 const REST = 200;

@@ -2,7 +2,7 @@ import { Suspense, useCallback, useEffect, useId, useMemo } from "react";
 import type { TaskMark } from "../../../course/judge/judgement.ts";
 import type { Task } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
-import { useOutcome } from "../../engine/outcome.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { usePlace } from "../../place/place.ts";
 import { useSettings } from "../../base/settings/settings.ts";

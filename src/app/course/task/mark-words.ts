@@ -7,7 +7,7 @@ import type { Language } from "../../../i18n/languages.ts";
 import { formatNumber, formatSigned } from "../../../i18n/number.ts";
 import { toDiameter } from "../../../kernel/units.ts";
 import { thicknessOf } from "../../../sim/extent.ts";
-import { issueText } from "../../issue-text.ts";
+import { issueText } from "../../calculation/issue-text.ts";
 import { sizeGoal, toleranced, valueGoal } from "./goal-words.ts";
 
 /** Decimals of thicknesses: the second says no more of a place than the first. */

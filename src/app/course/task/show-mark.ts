@@ -5,7 +5,7 @@ import type { PlayPosition } from "../../../sim/simulation.ts";
 import { draftOf } from "../../document/edits.ts";
 import { chooseFinding } from "../../document/chosen.ts";
 import { showPrompt, usePlace } from "../../place/place.ts";
-import { playback } from "../../playback.ts";
+import { playback } from "../../calculation/playback.ts";
 import { readJob } from "../../document/reading.ts";
 import { chooseLine, choosePath } from "../../selection.ts";
 import { useEditor } from "../../document/store.ts";

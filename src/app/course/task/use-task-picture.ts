@@ -7,7 +7,7 @@ import type { Language } from "../../../i18n/languages.ts";
 import { formatFixed } from "../../../i18n/number.ts";
 import { at, type Pt, type Ring } from "../../../kernel/point.ts";
 import { axial, radius, toDiameter } from "../../../kernel/units.ts";
-import { useOutcome } from "../../engine/outcome.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
 import { boundsRound } from "../../findings/spots.ts";
 import type { LookAt } from "../../lathe/places.ts";
 import { useTold, type ToldPicture } from "../../lathe/told.ts";

@@ -5,7 +5,7 @@ import type { Task } from "../../../course/task.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { shippedList } from "../../../program/tool-list.ts";
 import { time } from "../../base/clock.ts";
-import { outcomeBeside } from "../../engine/beside.ts";
+import { outcomeBeside } from "../../calculation/beside.ts";
 import { printedText } from "../../document/printed.ts";
 import { readWork } from "../../saving/device.ts";
 import { refreshWorks } from "../../saving/keep.ts";

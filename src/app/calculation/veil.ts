@@ -1,4 +1,4 @@
-import type { Outcome } from "../../engine/outcome.ts";
+import type { Outcome } from "./outcome.ts";
 
 /** What may be seen of a program before anything was foretold: its blank and its contours, and nothing of what it does. */
 export function veil({ run, simulation, ...made }: Outcome): Outcome {

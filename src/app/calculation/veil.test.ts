@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
-import { answerOf } from "../../../course/judge/answer.ts";
-import { programOfLines } from "../../../course/start-of.ts";
-import { taskSchema } from "../../../course/task.ts";
-import { stockIssues } from "../../../sim/issues.ts";
+import { answerOf } from "../../course/judge/answer.ts";
+import { programOfLines } from "../../course/start-of.ts";
+import { taskSchema } from "../../course/task.ts";
+import { stockIssues } from "../../sim/issues.ts";
 import { veil } from "./veil.ts";
-import file from "../../../course/tasks/l20-start-inside.json";
+import file from "../../course/tasks/l20-start-inside.json";
 
 test("before anything was foretold nothing of the run is told, and the contours stay to be looked at", () => {
   const task = taskSchema.parse(file);

@@ -1,5 +1,5 @@
-import { clock } from "./base/clock.ts";
-import { createPlaybackStore } from "./lathe/playback-store.ts";
+import { clock } from "../base/clock.ts";
+import { createPlaybackStore } from "./playback-store.ts";
 
 /** The playback of the page: lathe view, timeline and program text follow the same one. */
 export const playback = createPlaybackStore(clock);

@@ -3,7 +3,7 @@ import { playerOf } from "../../sim/stock.ts";
 import { statedSteps } from "../../view/solid/bodies.ts";
 import { buffersOf, shownBodies, type BodiesAsked, type ShownBodies, type TurnedRun } from "../../view/solid/shown-bodies.ts";
 import { runThreads } from "../../view/solid/thread-cuts.ts";
-import { surfacesOfRun } from "../lathe/moving.ts";
+import { surfacesOfRun } from "./moving.ts";
 import type { Outcome } from "./outcome.ts";
 
 /** What the page asks for again and again; `look` names everything besides the stock that decides how it looks. */

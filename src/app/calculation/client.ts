@@ -3,7 +3,7 @@ import { fileKey } from "../../program/program-files.ts";
 import type { ShopTools } from "../../program/read-tools.ts";
 import type { Control } from "../../program/plane-types.ts";
 import { afterPicture } from "../base/after-picture.ts";
-import { machineAtHand, useMachineReader } from "../machine/machine-reader.ts";
+import { machineAtHand, useMachineReader } from "./machine-reader.ts";
 import { printedText } from "../document/printed.ts";
 import { readJob } from "../document/reading.ts";
 import { untilHere } from "../base/parts.ts";
@@ -114,7 +114,7 @@ async function work(): Promise<void> {
       // What is typed meanwhile is planned before anything is proved.
       if (waiting && ready !== wanted) continue;
       const made = await outcomeOf(ready);
-      const outcome = isVeiled() ? (await untilHere(() => import("../course/task/veil.ts"))).veil(made) : made;
+      const outcome = isVeiled() ? (await untilHere(() => import("./veil.ts"))).veil(made) : made;
       await pauseInTyping();
       if (version > left) {
         notePace(wanted.request, outcome.pace);

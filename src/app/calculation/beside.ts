@@ -1,8 +1,8 @@
-import { machineRead } from "../machine/machine-reader.ts";
+import { machineRead } from "./machine-reader.ts";
 import { printedText } from "../document/printed.ts";
 import { useEditor } from "../document/store.ts";
 import { controlInUse, machineInUse, machineTextOf, shopOf, toolTable } from "../document/work-tools.ts";
-import type { Comparer } from "../which/comparison.ts";
+import type { Comparer } from "./comparison.ts";
 import { filesOf, isProgram, type ProgramWork, type Work } from "../document/work.ts";
 import type { Outcome } from "./outcome.ts";
 import type { Reported } from "./reported.ts";

@@ -1,10 +1,10 @@
-import type { Run } from "../program/run-types.ts";
+import type { Run } from "../../program/run-types.ts";
 import { createContext, useContext, useMemo } from "react";
-import type { Language } from "../i18n/languages.ts";
-import { lengthsIn, type Lengths } from "../i18n/lengths.ts";
-import { IN_MM, type LengthUnit } from "../kernel/units.ts";
-import { useOutcome } from "./engine/outcome.ts";
-import { useSettings } from "./base/settings/settings.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { lengthsIn, type Lengths } from "../../i18n/lengths.ts";
+import { IN_MM, type LengthUnit } from "../../kernel/units.ts";
+import { useOutcome } from "./outcome.ts";
+import { useSettings } from "../base/settings/settings.ts";
 
 /** What the program of a picture counts in; where nothing is said, the open work tells it. */
 export const CountedIn = createContext<LengthUnit | null>(null);

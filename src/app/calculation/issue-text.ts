@@ -1,12 +1,12 @@
 import { createContext, useCallback, useContext } from "react";
-import { cycleByNumber } from "../cycles/index.ts";
-import type { Spoken } from "../i18n/lengths.ts";
-import type { Texts } from "../i18n/index.ts";
-import { messageIn } from "../i18n/message.ts";
-import type { AnyIssue } from "../i18n/message-texts.ts";
-import type { RunFinding } from "../program/run-types.ts";
+import { cycleByNumber } from "../../cycles/index.ts";
+import type { Spoken } from "../../i18n/lengths.ts";
+import type { Texts } from "../../i18n/index.ts";
+import { messageIn } from "../../i18n/message.ts";
+import type { AnyIssue } from "../../i18n/message-texts.ts";
+import type { RunFinding } from "../../program/run-types.ts";
 import { useLengths } from "./lengths.ts";
-import { useTexts } from "./base/settings/use-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 /**
  * The sentence of a finding in a screen language, with lengths as the program counts where that is said. `cycle` tells what the value

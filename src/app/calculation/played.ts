@@ -4,7 +4,7 @@ import type { Patch } from "../../view/material/pen.ts";
 import { paintShop, stockPainter, type PaintedRun, type StockLook, type StockPainter } from "../../view/material/stock-painter.ts";
 import { positionAt, trackOf, type PlayedTrack } from "../../view/playback.ts";
 import { dayMoment, stopwatch } from "../base/clock.ts";
-import { surfacesOfRun } from "../lathe/moving.ts";
+import { surfacesOfRun } from "./moving.ts";
 import type { Outcome } from "./outcome.ts";
 
 /** How a run is played: so many machine seconds were over at a moment of the day, ms since 1970, and so many pass in a second. */

@@ -1,6 +1,6 @@
 import { fileKey } from "../../program/program-files.ts";
 import type { RunFinding } from "../../program/run-types.ts";
-import type { Outcome } from "../engine/outcome.ts";
+import type { Outcome } from "./outcome.ts";
 import { fileOf, type ProgramWork } from "../document/work.ts";
 
 /** A file name without its folder. */

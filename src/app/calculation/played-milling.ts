@@ -2,7 +2,7 @@ import type { MilledStock } from "../../sim/plane/milled.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { milledPainter, type MilledLook } from "../../view/approach/milled-painter.ts";
 import { trackOf, type PlayedTrack } from "../../view/playback.ts";
-import { cutFor, uncutStock } from "../approach/cut-milled.ts";
+import { cutFor, uncutStock } from "./cut-milled.ts";
 import type { Outcome } from "./outcome.ts";
 import { painted, playPainted, type PlayedCourse, type PlayedOn } from "./played.ts";
 
