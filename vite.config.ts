@@ -126,9 +126,9 @@ const WORK = ["src/app/Workplace.tsx", "src/app/start/begin.ts"].map(module);
 const EARLY = [
   "src/app/course/CourseEntrance.tsx",
   "src/app/start/Welcome.tsx",
-  "src/app/saving/keep-pictures.ts",
-  "src/app/saving/keep-steps.ts",
-  "src/app/files/kept-handles.ts",
+  "src/app/records/keep-pictures.ts",
+  "src/app/records/keep-steps.ts",
+  "src/app/records/files/kept-handles.ts",
 ].map(module);
 
 /** The modules that some cannot start without, however deep. */

@@ -1,6 +1,6 @@
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import type { CourseIndex } from "../src/app/course/content.ts";
+import type { CourseIndex } from "../src/app/records/course/content.ts";
 import { lessonSchema, type Lesson } from "../src/course/lesson.ts";
 import { taskSchema, type Task } from "../src/course/task.ts";
 import { LANGUAGES, type Language } from "../src/i18n/languages.ts";
@@ -41,7 +41,7 @@ export function courseIndex(lessons: readonly Lesson[], tasks: readonly Task[], 
   };
 }
 
-/** The modules that the page imports by the name in src/app/course/course-index.d.ts, by their ids. */
+/** The modules that the page imports by the name in src/app/records/course/course-index.d.ts, by their ids. */
 export function courseModules(): Readonly<Record<string, string>> {
   const id = "virtual:course-index";
   const [lessons, tasks] = [files("lessons").map((each) => lessonSchema.parse(each)), files("tasks").map((each) => taskSchema.parse(each))];

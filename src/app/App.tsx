@@ -16,7 +16,7 @@ import { TaskLine } from "./course/task/TaskLine.tsx";
 import { useCopying } from "./program/copy.ts";
 import { fetchAtRest } from "./base/rest.ts";
 import { useElsewhere } from "./place/elsewhere.ts";
-import { useKeeping } from "./saving/keep.ts";
+import { useKeeping } from "./records/keep.ts";
 import { fetchShownTexts } from "./base/settings/shown-texts.ts";
 import { useFirstTexts } from "./base/settings/use-first-texts.ts";
 import { useSheetShown } from "./document/sheet-place.ts";
@@ -25,7 +25,7 @@ import { useEditor } from "./document/store.ts";
 import { useToolPlace } from "./document/tool-place.ts";
 import { hideComparison, useComparing } from "./place/compare-place.ts";
 import { hideWhich, useWhichPlace } from "./document/which-place.ts";
-import { useBringing } from "./works/bring-in-place.ts";
+import { useBringing } from "./records/bring-in-place.ts";
 import { useWorksPlace } from "./place/works-place.ts";
 
 /** Parts that are fetched when they are first shown, together with the texts that they need. */

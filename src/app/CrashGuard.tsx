@@ -1,8 +1,8 @@
 import { Component, Suspense, type ErrorInfo, type ReactNode } from "react";
-import { noteFault } from "./crash/reports.ts";
+import { noteFault } from "./records/reports.ts";
 import { lazyPart } from "./base/parts.ts";
-import { unkeptWorks } from "./saving/keep.ts";
-import { rememberWork } from "./saving/tab.ts";
+import { unkeptWorks } from "./records/keep.ts";
+import { rememberWork } from "./records/tab.ts";
 import { firstTexts } from "./base/settings/loaded-texts.ts";
 import { useSettings } from "./base/settings/settings.ts";
 

@@ -1,5 +1,5 @@
 import { Icon } from "./base/Icon.tsx";
-import { dismiss, unkeptNames, unkeptWorks, useKeeping } from "./saving/keep.ts";
+import { dismiss, unkeptNames, unkeptWorks, useKeeping } from "./records/keep.ts";
 import { useFirstTexts } from "./base/settings/use-first-texts.ts";
 
 /** The works that are nowhere but in this page, as files. */
@@ -10,7 +10,7 @@ function DownloadUnkept() {
   return (
     <>
       <button type="button" className="button"
-        onClick={() => void import("./saving/rescue.ts").then(({ downloadWorks }) => downloadWorks(works))}
+        onClick={() => void import("./records/rescue.ts").then(({ downloadWorks }) => downloadWorks(works))}
       >
         <Icon name="download" /> {t.downloadUnkept}
       </button>

@@ -6,20 +6,20 @@ import { followAddress, resumePrompt } from "./address/follow-address.ts";
 import { goTo } from "./address/here.ts";
 import { App } from "./App.tsx";
 import { CrashGuard } from "./CrashGuard.tsx";
-import { startReports } from "./crash/reports.ts";
+import { startReports } from "./records/reports.ts";
 import { startEngineLater } from "./calculation/later.ts";
 import { openShared } from "./files/open-shared.ts";
 import { onHistoryKey } from "./document/history.ts";
-import { startOwn } from "./own/keep-own.ts";
+import { startOwn } from "./records/keep-own.ts";
 import { startOfflineLater } from "./offline/start-offline.ts";
 import { followMissing, untilHere } from "./base/parts.ts";
-import { startKeeping, useKeeping } from "./saving/keep.ts";
+import { startKeeping, useKeeping } from "./records/keep.ts";
 import { resume } from "./saving/resume.ts";
 import { followAppearance } from "./base/settings/appearance.ts";
 import { fetchFirstTexts } from "./base/settings/loaded-texts.ts";
 import { useSettings } from "./base/settings/settings.ts";
 import { useEditor } from "./document/store.ts";
-import { startTools } from "./tools/keep-tools.ts";
+import { startTools } from "./records/keep-tools.ts";
 import "./base/styles/tokens.css";
 import "./base/styles/base.css";
 import "./base/styles/layout.css";
@@ -38,7 +38,7 @@ startOwn();
 /** What is kept beside the work: its history in this tab, and its picture. The first screen waits for neither. */
 async function keepBeside(): Promise<void> {
   const [{ startKeepingSteps, takeKeptSteps }, { startKeepingPictures }] = await untilHere(() =>
-    Promise.all([import("./saving/keep-steps.ts"), import("./saving/keep-pictures.ts")])
+    Promise.all([import("./records/keep-steps.ts"), import("./records/keep-pictures.ts")])
   );
   takeKeptSteps();
   startKeepingSteps();
@@ -46,7 +46,7 @@ async function keepBeside(): Promise<void> {
   const { works, notices } = useKeeping.getState();
   // Works of a newer edition are not in the list, but they are here.
   if (notices.includes("newerWorks")) return;
-  const { forgetHandles } = await untilHere(() => import("./files/kept-handles.ts"));
+  const { forgetHandles } = await untilHere(() => import("./records/files/kept-handles.ts"));
   await forgetHandles(new Set(works.map(({ work }) => work)));
 }
 

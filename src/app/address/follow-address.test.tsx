@@ -3,7 +3,7 @@ import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { hideOwn, showOwn } from "../document/own-place.ts";
 import { openPrompt, showSection, usePlace } from "../place/place.ts";
-import { dismiss, startKeeping, startWork, useKeeping } from "../saving/keep.ts";
+import { dismiss, startKeeping, startWork, useKeeping } from "../records/keep.ts";
 import { begin, useEditor } from "../document/store.ts";
 import { hideTools, openRow, showTools, useToolPlace } from "../document/tool-place.ts";
 import { hideWhich, showWhich, useWhichPlace } from "../document/which-place.ts";

@@ -3,7 +3,7 @@ import { hideOwn, showOwn, useOwnPlace } from "../document/own-place.ts";
 import { hideGuide, showGuide, useGuidePlace } from "../place/guide-place.ts";
 import { usePlace, type WorkSection } from "../place/place.ts";
 import { useElsewhere } from "../place/elsewhere.ts";
-import { notice, openWork } from "../saving/keep.ts";
+import { notice, openWork } from "../records/keep.ts";
 import { useEditor } from "../document/store.ts";
 import { hideTools, openRow, showKind, showToolNumber, showTools, useToolPlace } from "../document/tool-place.ts";
 import { toolsOnDevice, useTools } from "../document/tool-store.ts";

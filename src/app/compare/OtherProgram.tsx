@@ -1,9 +1,9 @@
 import { useEffect, useId, useState } from "react";
 import { decode } from "../document/encoding.ts";
 import { useShownName } from "../document/shown-file.ts";
-import { askForFiles } from "../files/file-handle.ts";
-import { readWork } from "../saving/device.ts";
-import { refreshWorks, useKeeping } from "../saving/keep.ts";
+import { askForFiles } from "../records/files/file-handle.ts";
+import { readWork } from "../records/device.ts";
+import { refreshWorks, useKeeping } from "../records/keep.ts";
 import { useEditor } from "../document/store.ts";
 import type { ProgramWork } from "../document/work.ts";
 import { asProgram, openedProgram, textOfFile, withOtherText, type Other } from "./sides.ts";
@@ -47,7 +47,7 @@ export function OtherProgram({ words, present, other, onTake }: { readonly words
   useEffect(() => {
     void refreshWorks();
     if (work !== null)
-      void import("../files/kept-handles.ts").then(async ({ keptHandle }) => find((await keptHandle(work, shown)) !== null));
+      void import("../records/files/kept-handles.ts").then(async ({ keptHandle }) => find((await keptHandle(work, shown)) !== null));
   }, [work, shown]);
   const pickFile = async () => {
     const [found] = await askForFiles();
@@ -58,7 +58,7 @@ export function OtherProgram({ words, present, other, onTake }: { readonly words
     else takeText(found.file.name, text);
   };
   const fromDevice = async () => {
-    const { bytesOnDevice } = await import("../files/save-back.ts");
+    const { bytesOnDevice } = await import("../records/files/save-back.ts");
     const bytes = work === null ? null : await bytesOnDevice(work, shown);
     if (bytes) takeText(words.disk(shown), decode(bytes).text);
     else take(null);

@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { isEmptyProgress } from "../../course/progress.ts";
 import { Icon } from "../base/Icon.tsx";
-import { beginCourseAnew, useLearning } from "./progress.ts";
+import { beginCourseAnew, useLearning } from "../records/course/progress.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 
 /** The way to begin the course anew: at once, because undo takes it back; and what is wrong with what is kept. */

@@ -2,7 +2,7 @@ import { lessonNumbers } from "virtual:course-index";
 import { useEffect } from "react";
 import { Icon } from "../base/Icon.tsx";
 import { courseHref } from "../place/course-links.ts";
-import { startLearning, useLearning } from "./progress.ts";
+import { startLearning, useLearning } from "../records/course/progress.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 import "./entrance.css";
 

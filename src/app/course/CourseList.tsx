@@ -1,9 +1,9 @@
 import { progressOfTask, stateOfTask } from "../../course/progress.ts";
-import { useCourseIndex, type LessonEntry } from "./content.ts";
+import { useCourseIndex, type LessonEntry } from "../records/course/content.ts";
 import { courseHref } from "../place/course-links.ts";
 import { GuideLinks } from "../guide/GuideLinks.tsx";
 import { BeginAnew } from "./BeginAnew.tsx";
-import { useLearning } from "./progress.ts";
+import { useLearning } from "../records/course/progress.ts";
 import { TaughtTasks } from "./teach/TaughtTasks.tsx";
 import { TaskStateMark } from "./TaskStateMark.tsx";
 import { useCourseTexts } from "./use-course-texts.ts";

@@ -1,9 +1,9 @@
 import { useEffect } from "react";
-import { useCourseIndex } from "./content.ts";
+import { useCourseIndex } from "../records/course/content.ts";
 import { useCoursePlace } from "../place/course-place.ts";
 import { CourseList } from "./CourseList.tsx";
 import { LessonView } from "./LessonView.tsx";
-import { startLearning } from "./progress.ts";
+import { startLearning } from "../records/course/progress.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 import "./course.css";
 

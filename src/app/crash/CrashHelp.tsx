@@ -1,6 +1,6 @@
 import { useState } from "react";
 import { Icon } from "../base/Icon.tsx";
-import { downloadWorks } from "../saving/rescue.ts";
+import { downloadWorks } from "../records/rescue.ts";
 import { useEditor } from "../document/store.ts";
 import { SaveEverything } from "../works/SaveEverything.tsx";
 import { useDeviceTexts } from "../base/use-device-texts.ts";

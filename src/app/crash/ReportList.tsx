@@ -3,7 +3,7 @@ import { printedText } from "../document/printed.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../document/store.ts";
 import { useDeviceTexts } from "../base/use-device-texts.ts";
-import { forgetReports, reportText, useReports } from "./reports.ts";
+import { forgetReports, reportText, useReports } from "../records/reports.ts";
 
 /** The text of the open work; null where there is none that can be printed. */
 function openText(): string | null {

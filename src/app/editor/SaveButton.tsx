@@ -1,16 +1,16 @@
 import { Suspense, useState } from "react";
 import { showComparison, type ShowBlock } from "../place/compare-place.ts";
-import { canSaveFiles } from "../files/file-handle.ts";
+import { canSaveFiles } from "../records/files/file-handle.ts";
 import { shownFile } from "../document/shown-file.ts";
-import type { Obstacle } from "../files/SaveProblem.tsx";
-import type { SaveHow } from "../files/save-back.ts";
+import type { Obstacle } from "../records/files/SaveProblem.tsx";
+import type { SaveHow } from "../records/files/save-back.ts";
 import { lazyPart, untilHere } from "../base/parts.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useEditor } from "../document/store.ts";
 import { handOverText } from "./session.ts";
 
 /** Fetched when a file is not written at once. */
-const SaveProblem = lazyPart(async () => ({ default: (await import("../files/SaveProblem.tsx")).SaveProblem }));
+const SaveProblem = lazyPart(async () => ({ default: (await import("../records/files/SaveProblem.tsx")).SaveProblem }));
 
 interface Props {
   /** Name of the file that is shown. */
@@ -30,7 +30,7 @@ export function SaveButton({ name, mayLeave, onSaved, onDownload, showBlock }: P
     handOverText();
     const { program, work } = useEditor.getState();
     if (!program || work === null) return;
-    const { saveBack } = await untilHere(() => import("../files/save-back.ts"));
+    const { saveBack } = await untilHere(() => import("../records/files/save-back.ts"));
     const file = shownFile(program);
     const saved = await saveBack(work, file, how);
     if (saved.kind === "written") onSaved(file.name);

@@ -1,6 +1,6 @@
 import { useEffect, useMemo, useRef, useState } from "react";
 import { useOutcome } from "../calculation/outcome.ts";
-import { askForFiles } from "../files/file-handle.ts";
+import { askForFiles } from "../records/files/file-handle.ts";
 import { missingFiles } from "../calculation/missing-files.ts";
 import { addFiles } from "../files/open-program.ts";
 import { Icon } from "../base/Icon.tsx";

@@ -6,7 +6,7 @@ import type { Program } from "../../nc/program.ts";
 import { fileKey } from "../../program/program-files.ts";
 import { plansOnPage } from "../calculation/page-plan.ts";
 import { typingGoesOn } from "../calculation/quiet.ts";
-import { takeKeptSteps, textKeepers } from "../saving/keep-steps.ts";
+import { takeKeptSteps, textKeepers } from "../records/keep-steps.ts";
 import { closeStep, goesOn, note, type HistoryStep } from "../document/steps.ts";
 import { setProgram, useEditor } from "../document/store.ts";
 import { fileOf, withText, type ProgramWork, type WorkFile } from "../document/work.ts";

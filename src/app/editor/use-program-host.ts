@@ -3,7 +3,7 @@ import { writeTyped } from "../dialog/write-value.ts";
 import { useOutcome } from "../calculation/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import type { FindingsHost, Mend } from "../findings/host.ts";
-import { askForFiles } from "../files/file-handle.ts";
+import { askForFiles } from "../records/files/file-handle.ts";
 import { missingFile } from "../calculation/missing-files.ts";
 import { addFiles } from "../files/open-program.ts";
 import { showFile, useShownBeside } from "../document/shown-file.ts";

@@ -3,15 +3,15 @@ import { useOutcome } from "../calculation/outcome.ts";
 import type { HandedOn } from "../../program/job.ts";
 import { fileKey } from "../../program/program-files.ts";
 import { untilHere } from "../base/parts.ts";
-import { notice, startWork } from "../saving/keep.ts";
+import { notice, startWork } from "../records/keep.ts";
 import { changeProgram, useEditor } from "../document/store.ts";
-import { bringIn, isArchiveName } from "../works/bring-in-place.ts";
+import { bringIn, isArchiveName } from "../records/bring-in-place.ts";
 import { broughtBy, textsOf, withFile, type ProgramWork, type WorkFile } from "../document/work.ts";
 import { fileNameOf } from "../base/file-name.ts";
-import { asKlartext, mayBeIso } from "./iso-file.ts";
+import { asKlartext, mayBeIso } from "../records/files/iso-file.ts";
 import { askWhich, useChoice } from "../document/choice.ts";
-import type { FolderContent } from "./folder.ts";
-import { handleOf, plainFiles, type Chosen, type FileHandle } from "./file-handle.ts";
+import type { FolderContent } from "../records/files/folder.ts";
+import { handleOf, plainFiles, type Chosen, type FileHandle } from "../records/files/file-handle.ts";
 import { LARGEST_PROGRAM } from "../base/limits.ts";
 import { missingFiles } from "../calculation/missing-files.ts";
 
@@ -52,7 +52,7 @@ async function read(chosen: readonly Chosen[]): Promise<Read> {
 async function remember({ handles }: Pick<Read, "handles">): Promise<void> {
   const { work } = useEditor.getState();
   if (work === null || handles.length === 0) return;
-  const { keepHandle } = await untilHere(() => import("./kept-handles.ts"));
+  const { keepHandle } = await untilHere(() => import("../records/files/kept-handles.ts"));
   for (const { name, handle, bytes } of handles) await keepHandle(work, name, handle, bytes);
 }
 
@@ -183,7 +183,7 @@ export async function openDropped(data: DataTransfer): Promise<void> {
   };
   const known = await Promise.all(handles);
   if (entries.some((entry) => entry?.isDirectory) || known.some((handle) => handle && "values" in handle)) {
-    const { filesOfDrop } = await untilHere(() => import("./folder.ts"));
+    const { filesOfDrop } = await untilHere(() => import("../records/files/folder.ts"));
     return sayNot(await openFolder(await filesOfDrop(items.map((_, i) => ({ handle: known[i] ?? null, entry: entries[i] ?? null })))));
   }
   if (files.length > 0) {

@@ -1,6 +1,6 @@
 import { isShareLink } from "../place/address.ts";
 import { untilHere } from "../base/parts.ts";
-import { notice } from "../saving/keep.ts";
+import { notice } from "../records/keep.ts";
 
 const PROBLEMS = { tooLarge: "linkTooLarge", newer: "linkNewer", damaged: "linkDamaged" } as const;
 
@@ -14,7 +14,7 @@ export async function openShared(): Promise<void> {
   history.replaceState(null, "", location.pathname + location.search);
   if (/^#[tr]/.test(hash)) return (await untilHere(() => import("../course/teach/open-taught.ts"))).openTaughtLink(hash);
   const [{ readLink }, { showIncoming }] = await untilHere(() =>
-    Promise.all([import("../handing/link.ts"), import("../handing/incoming.ts")])
+    Promise.all([import("../records/link.ts"), import("../records/incoming.ts")])
   );
   const read = readLink(hash);
   if (read.kind === "work") showIncoming({ work: read.work, from: "link" });

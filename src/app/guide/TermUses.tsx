@@ -2,7 +2,7 @@ import { useEffect, useState } from "react";
 import type { ParamTextId } from "../../cycles/index.ts";
 import type { GlossaryTexts, TermId } from "../../i18n/glossary-text.ts";
 import type { Language } from "../../i18n/languages.ts";
-import { fetchLesson, inScreenLanguage, useCourseIndex, type LessonEntry } from "../course/content.ts";
+import { fetchLesson, inScreenLanguage, useCourseIndex, type LessonEntry } from "../records/course/content.ts";
 import { courseHref } from "../place/course-links.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";

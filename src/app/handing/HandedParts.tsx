@@ -2,8 +2,8 @@ import { Suspense } from "react";
 import { lazyPart } from "../base/parts.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { handedOn, useEditor } from "../document/store.ts";
-import { useTaughtShown } from "../course/teach/taught-shown.ts";
-import { useIncoming } from "./incoming.ts";
+import { useTaughtShown } from "../records/course/taught-shown.ts";
+import { useIncoming } from "../records/incoming.ts";
 
 /** Fetched when something was handed on. */
 const IncomingDialog = lazyPart(async () => ({ default: (await import("./IncomingDialog.tsx")).IncomingDialog }));

@@ -4,7 +4,7 @@ import { toolsBeside } from "../../program/tool-difference.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTools } from "../document/tool-store.ts";
 import { HandingDialog } from "../base/HandingDialog.tsx";
-import { leaveIncoming, takeIncoming, useIncoming, type Incoming } from "./incoming.ts";
+import { leaveIncoming, takeIncoming, useIncoming, type Incoming } from "../records/incoming.ts";
 import { inMyTable } from "./in-my-table.ts";
 import { useHandedTexts } from "./use-handed-texts.ts";
 import { WorkFacts } from "./WorkFacts.tsx";

@@ -4,7 +4,7 @@ import { draftOf } from "../document/edits.ts";
 import { reportOf } from "../calculation/beside.ts";
 import { fileOfJob } from "../document/printed.ts";
 import { setJobOf } from "../document/reading.ts";
-import { writeArchive } from "../saving/archive.ts";
+import { writeArchive } from "../records/archive.ts";
 import { controlInUse, listInUse, machineInUse } from "../document/work-tools.ts";
 import { isProgram, type Work } from "../document/work.ts";
 import type { Job } from "../../program/job.ts";

@@ -1,9 +1,9 @@
 import { begin } from "../document/store.ts";
-import { findWorks, readWork, type Kept } from "./device.ts";
+import { findWorks, readWork, type Kept } from "../records/device.ts";
 import { showElsewhere } from "../place/elsewhere.ts";
-import { claimPatiently, keepState, notice, noteWritten, unkeptWorks, useKeeping } from "./keep.ts";
-import { readSave } from "./save-file.ts";
-import { leaveBehind, leftBehind, rememberedWork, rememberWork } from "./tab.ts";
+import { claimPatiently, keepState, notice, noteWritten, unkeptWorks, useKeeping } from "../records/keep.ts";
+import { readSave } from "../records/save-file.ts";
+import { leaveBehind, leftBehind, rememberedWork, rememberWork } from "../records/tab.ts";
 
 /** Writes what the page before could not write in time; what the device does not take stays behind for the next page. */
 async function catchUp(): Promise<void> {

@@ -3,9 +3,9 @@ import { menuCycle } from "../chooser/menu.ts";
 import { Icon } from "../base/Icon.tsx";
 import { usePlace } from "../place/place.ts";
 import { undoStep } from "../document/history.ts";
-import { keptPictures } from "../saving/kept-picture.ts";
-import { openWork, useKeeping } from "../saving/keep.ts";
-import { useWorksElsewhere } from "../saving/use-works-elsewhere.ts";
+import { keptPictures } from "../records/kept-picture.ts";
+import { openWork, useKeeping } from "../records/keep.ts";
+import { useWorksElsewhere } from "../records/use-works-elsewhere.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { KeptPicture } from "./KeptPicture.tsx";
@@ -21,7 +21,7 @@ export async function openKept(work: string): Promise<void> {
 
 /** Takes a work out of the list; false where another tab has it. The code for that comes when it is asked for. */
 async function removeKept(work: string): Promise<boolean> {
-  const { removeWorks } = await import("../saving/works.ts");
+  const { removeWorks } = await import("../records/works.ts");
   return (await removeWorks([work])).gone.length > 0;
 }
 

@@ -1,7 +1,7 @@
 import { useRef, useState } from "react";
 import type { ExampleId } from "../../examples/index.ts";
-import { canOpenFiles, ENDINGS, pickFiles, pickFolder, plainFiles, type Chosen } from "../files/file-handle.ts";
-import type * as FolderPart from "../files/folder.ts";
+import { canOpenFiles, ENDINGS, pickFiles, pickFolder, plainFiles, type Chosen } from "../records/files/file-handle.ts";
+import type * as FolderPart from "../records/files/folder.ts";
 import { untilHere } from "../base/parts.ts";
 import { openFiles, openFolder, openText, type Opening } from "../files/open-program.ts";
 import { Icon } from "../base/Icon.tsx";
@@ -35,7 +35,7 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
     await take(await pickFiles());
   };
   const takeFolder = async (content: (part: typeof FolderPart) => Promise<FolderPart.FolderContent>) =>
-    setOpening(await openFolder(await content(await untilHere(() => import("../files/folder.ts")))));
+    setOpening(await openFolder(await content(await untilHere(() => import("../records/files/folder.ts")))));
   const askFolder = async () => {
     const picked = await pickFolder();
     if (picked === undefined) return folder.current?.click();

@@ -4,7 +4,7 @@ import { CycleChooser, type More } from "../chooser/CycleChooser.tsx";
 import { useRecent } from "../chooser/recent.ts";
 import { lazyPart } from "../base/parts.ts";
 import { fetchAtRest } from "../base/rest.ts";
-import { refreshWorks, useKeeping } from "../saving/keep.ts";
+import { refreshWorks, useKeeping } from "../records/keep.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { findMore } from "./find-more.ts";
 import { KeptWorks, openKept } from "./KeptWorks.tsx";

@@ -3,7 +3,7 @@ import { exampleJob, UNSET } from "../../program/job.ts";
 import { draftOf } from "../document/edits.ts";
 import { FIRST_PLACE } from "../dialog/setup-prompts.ts";
 import { openPrompt } from "../place/place.ts";
-import { startWork } from "../saving/keep.ts";
+import { startWork } from "../records/keep.ts";
 import { useSettings } from "../base/settings/settings.ts";
 
 /** Begins a program of a cycle, with the printed example's values or with empty prompts. */

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { page } from "../../i18n/de/page.ts";
-import type { Kept } from "../saving/device.ts";
+import type { Kept } from "../records/device.ts";
 import { findMore } from "./find-more.ts";
 
 const work = (name: string, cycle: number | null): Kept => ({ work: name, savedAt: 7, name, cycle, size: 3 });

@@ -1,6 +1,6 @@
 import type { ExampleId } from "../../examples/index.ts";
 import { plain } from "../chooser/search.ts";
-import type { Kept } from "../saving/device.ts";
+import type { Kept } from "../records/device.ts";
 
 /** What is found beside the cycles. */
 export interface FoundMore {

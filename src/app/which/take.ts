@@ -10,7 +10,7 @@ import type { Proposal } from "../../report/which/ways.ts";
 import { openText } from "../files/open-program.ts";
 import { openPrompt } from "../place/place.ts";
 import { printedText } from "../document/printed.ts";
-import { startWork } from "../saving/keep.ts";
+import { startWork } from "../records/keep.ts";
 import { outputInUse } from "../document/output.ts";
 import { useEditor } from "../document/store.ts";
 

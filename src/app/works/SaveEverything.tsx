@@ -1,5 +1,5 @@
 import { Icon } from "../base/Icon.tsx";
-import { unkeptNames } from "../saving/keep.ts";
+import { unkeptNames } from "../records/keep.ts";
 import { saveEverything } from "./export-works.ts";
 import { useDeviceTexts } from "../base/use-device-texts.ts";
 

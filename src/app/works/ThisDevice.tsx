@@ -1,10 +1,10 @@
 import { useEffect, useRef, useState } from "react";
 import { ReportList } from "../crash/ReportList.tsx";
-import { useReports } from "../crash/reports.ts";
+import { useReports } from "../records/reports.ts";
 import { Icon } from "../base/Icon.tsx";
 import { askToPersist, storageState, type StorageState } from "../base/persist.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { bringIn } from "./bring-in-place.ts";
+import { bringIn } from "../records/bring-in-place.ts";
 import { SaveEverything } from "./SaveEverything.tsx";
 import { sizeWords } from "./size-words.ts";
 import { useDeviceTexts } from "../base/use-device-texts.ts";

@@ -2,7 +2,7 @@ import { memo, useLayoutEffect, useRef } from "react";
 import type { DeviceTexts } from "../../i18n/en/device.ts";
 import type { Thumbnail } from "../../view/thumbnail.ts";
 import { Icon } from "../base/Icon.tsx";
-import type { Kept } from "../saving/device.ts";
+import type { Kept } from "../records/device.ts";
 import { KeptPicture } from "../start/KeptPicture.tsx";
 
 /** What can be asked of a row. */

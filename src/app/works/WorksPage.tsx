@@ -2,9 +2,9 @@ import { useCallback, useEffect, useMemo, useRef, useState, type KeyboardEvent }
 import { goHome } from "../document/go-home.ts";
 import { menuCycle } from "../chooser/menu.ts";
 import { Icon } from "../base/Icon.tsx";
-import { keptPictures } from "../saving/kept-picture.ts";
-import { refreshWorks, useKeeping } from "../saving/keep.ts";
-import { useWorksElsewhere } from "../saving/use-works-elsewhere.ts";
+import { keptPictures } from "../records/kept-picture.ts";
+import { refreshWorks, useKeeping } from "../records/keep.ts";
+import { useWorksElsewhere } from "../records/use-works-elsewhere.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { TableStatus } from "../tools/TableStatus.tsx";

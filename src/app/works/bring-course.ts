@@ -1,14 +1,14 @@
 import { mergedProgress, NO_PROGRESS, type CourseProgress } from "../../course/progress.ts";
 import type { Task } from "../../course/task.ts";
-import { bringProgress, startLearning, useLearning } from "../course/progress.ts";
-import { bringGathered, startGathered, useGathered } from "../course/teach/gathered.ts";
-import { bringForms, keyOfWork, missingForms, startForms, useForms } from "../course/teach/kept-form.ts";
-import { isAmong } from "../course/teach/result-rows.ts";
-import { bringTasks, startTaught, useTaught } from "../course/teach/taught.ts";
-import { bringWorked, startWorkingTime, useWorked } from "../course/teach/working-time.ts";
-import { mergedWorked } from "../course/teach/worked-list.ts";
-import type { ArchiveContent } from "../saving/archive.ts";
-import { fingerprint } from "../saving/difference.ts";
+import { bringProgress, startLearning, useLearning } from "../records/course/progress.ts";
+import { bringGathered, startGathered, useGathered } from "../records/course/gathered.ts";
+import { bringForms, keyOfWork, missingForms, startForms, useForms } from "../records/course/kept-form.ts";
+import { isAmong } from "../records/course/result-rows.ts";
+import { bringTasks, startTaught, useTaught } from "../records/course/taught.ts";
+import { bringWorked, startWorkingTime, useWorked } from "../records/course/working-time.ts";
+import { mergedWorked } from "../records/course/worked-list.ts";
+import type { ArchiveContent } from "../records/archive.ts";
+import { fingerprint } from "../records/difference.ts";
 import { asOneStep } from "../document/steps.ts";
 
 /** What an archive brings of the course: of learners and of instructors. */

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Kept } from "../saving/device.ts";
+import type { Kept } from "../records/device.ts";
 import { listWorks, type WorkOrder } from "./list-works.ts";
 import { sizeWords } from "./size-words.ts";
 

@@ -1,5 +1,5 @@
 import { plain } from "../chooser/search.ts";
-import type { Kept } from "../saving/device.ts";
+import type { Kept } from "../records/device.ts";
 
 /** Orders of the list of works. */
 export const WORK_ORDERS = ["newest", "name", "kind", "size"] as const;

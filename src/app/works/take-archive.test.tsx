@@ -3,24 +3,24 @@ import { NO_PROGRESS, progressOfTask, withHint, withPass, withPlace } from "../.
 import { newParameter, type OwnEntry } from "../../program/own-cycle.ts";
 import { usualTable, writeCuttingTable } from "../../program/cutting-table.ts";
 import { shippedList } from "../../program/tool-list.ts";
-import { startLearning, useLearning } from "../course/progress.ts";
+import { startLearning, useLearning } from "../records/course/progress.ts";
 import { takeOwn, useOwn } from "../document/own-store.ts";
 import { answerOf } from "../../course/judge/answer.ts";
 import { proposedTask } from "../../course/made/made-task.ts";
 import { RESULT_FORMAT } from "../../course/made/result.ts";
-import { useGathered } from "../course/teach/gathered.ts";
-import { useForms } from "../course/teach/kept-form.ts";
-import { useWorked } from "../course/teach/working-time.ts";
-import type { ReadArchive } from "../saving/archive.ts";
-import { device, emptyDevice, someJob as job } from "../saving/fake-device.ts";
-import { refreshWorks } from "../saving/keep.ts";
+import { useGathered } from "../records/course/gathered.ts";
+import { useForms } from "../records/course/kept-form.ts";
+import { useWorked } from "../records/course/working-time.ts";
+import type { ReadArchive } from "../records/archive.ts";
+import { device, emptyDevice, someJob as job } from "../records/fake-device.ts";
+import { refreshWorks } from "../records/keep.ts";
 import { readSettings, useSettings } from "../base/settings/settings.ts";
 import { forget, undo } from "../document/steps.ts";
 import { takeTools, useTools } from "../document/tool-store.ts";
 import { bringsCourse, bringsProgress, courseHere } from "./bring-course.ts";
 import { missingOwn, missingTools, statesOf, takeArchive } from "./take-archive.ts";
 
-vi.mock("../saving/device.ts", () => import("../saving/fake-device.ts"));
+vi.mock("../records/device.ts", () => import("../records/fake-device.ts"));
 
 const own = (id: string, number: string, name: string): OwnEntry => ({
   id,

@@ -1,9 +1,9 @@
 import { useCallback, useState } from "react";
 import type { DeviceTexts } from "../../i18n/en/device.ts";
 import { openKept } from "../start/KeptWorks.tsx";
-import type { Kept } from "../saving/device.ts";
-import { useKeeping } from "../saving/keep.ts";
-import { duplicateWork, removeWorks, renameWork } from "../saving/works.ts";
+import type { Kept } from "../records/device.ts";
+import { useKeeping } from "../records/keep.ts";
+import { duplicateWork, removeWorks, renameWork } from "../records/works.ts";
 import { useSteps, type HistoryStep } from "../document/steps.ts";
 import type { TableSaid } from "../tools/TableStatus.tsx";
 import { saveWorks } from "./export-works.ts";

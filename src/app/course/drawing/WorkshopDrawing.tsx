@@ -6,7 +6,7 @@ import { usualTable } from "../../../program/cutting-table.ts";
 import { workshopDrawing } from "../../../view/drawing/workshop-drawing.ts";
 import { useSize } from "../../help/use-size.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { inScreenLanguage } from "../content.ts";
+import { inScreenLanguage } from "../../records/course/content.ts";
 import { DrawingSheet } from "./DrawingSheet.tsx";
 import { DrawnPrint } from "./DrawnPrint.tsx";
 import { printWords } from "./print-words.ts";

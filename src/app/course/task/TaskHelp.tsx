@@ -3,11 +3,11 @@ import { programOfLines } from "../../../course/start-of.ts";
 import { shownId, type Task, type TaskWords } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { showComparison } from "../../place/compare-place.ts";
-import { startWork } from "../../saving/keep.ts";
+import { startWork } from "../../records/keep.ts";
 import { handedOn, useEditor } from "../../document/store.ts";
 import { broughtBy } from "../../document/work.ts";
 import { Paragraphs } from "../Paragraphs.tsx";
-import { noteHint, noteSolution, useTaskProgress } from "../progress.ts";
+import { noteHint, noteSolution, useTaskProgress } from "../../records/course/progress.ts";
 
 /** Opens a block of the present work; in prompts there is none to open. */
 async function showBlock(_file: string | null, _index: number, number: number): Promise<void> {

@@ -1,9 +1,9 @@
 import type { Task, TaskWords } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { fetchTask, useCourseIndex, type LessonEntry, type TaskEntry } from "../content.ts";
+import { fetchTask, useCourseIndex, type LessonEntry, type TaskEntry } from "../../records/course/content.ts";
 import { courseHref } from "../../place/course-links.ts";
-import { useTaskProgress } from "../progress.ts";
+import { useTaskProgress } from "../../records/course/progress.ts";
 import { beginTask, beginTaskAnew } from "./begin.ts";
 import { useTaskView } from "./task-view.ts";
 

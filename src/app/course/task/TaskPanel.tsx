@@ -9,7 +9,7 @@ import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { useEditor } from "../../document/store.ts";
 import { useMedia } from "../../base/use-media.ts";
-import { inScreenLanguage } from "../content.ts";
+import { inScreenLanguage } from "../../records/course/content.ts";
 import { checkTask, compareForetold, isOfWork, judgeQuietly, lookAgain } from "./check.ts";
 import { ForetellForm } from "./ForetellForm.tsx";
 import { ForetoldResult } from "./ForetoldResult.tsx";

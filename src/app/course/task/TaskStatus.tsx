@@ -9,7 +9,7 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import { useEditor } from "../../document/store.ts";
 import type { ParamTextId } from "../../../cycles/index.ts";
 import { cycleByNumber } from "../../../cycles/index.ts";
-import { useTaskProgress } from "../progress.ts";
+import { useTaskProgress } from "../../records/course/progress.ts";
 import { useTaskView, type NotReady } from "./task-view.ts";
 
 /** Names of empty prompts that are said at once; the others follow when these are answered. */

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { TASK_FORMAT, taskSchema } from "../../../course/task.ts";
 import { isProgram } from "../../document/work.ts";
-import { plainWork } from "../../saving/save-file.ts";
+import { plainWork } from "../../records/save-file.ts";
 import { workOfTask } from "./begin.ts";
 
 const task = taskSchema.parse({

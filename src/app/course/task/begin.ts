@@ -5,7 +5,7 @@ import type { Task } from "../../../course/task.ts";
 import { draftOf } from "../../document/edits.ts";
 import { hideOwn } from "../../document/own-place.ts";
 import { usePlace } from "../../place/place.ts";
-import { openWork, refreshWorks, startWork, useKeeping } from "../../saving/keep.ts";
+import { openWork, refreshWorks, startWork, useKeeping } from "../../records/keep.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { hideTools } from "../../document/tool-place.ts";
 import { isProgram, type Work } from "../../document/work.ts";

@@ -12,7 +12,7 @@ import { chooseFinding } from "../../document/chosen.ts";
 import { printedText } from "../../document/printed.ts";
 import { readJob } from "../../document/reading.ts";
 import { handOver, useEditor } from "../../document/store.ts";
-import { notePass, noteTry } from "../progress.ts";
+import { notePass, noteTry } from "../../records/course/progress.ts";
 import { workOfTask } from "./begin.ts";
 import { useTaskView, type NotReady } from "./task-view.ts";
 import { changeTask, taskOfWork } from "../../document/work-task.ts";

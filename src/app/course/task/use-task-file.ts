@@ -1,7 +1,7 @@
 import { useEffect, useState } from "react";
 import { taskSchema, type Task } from "../../../course/task.ts";
 import { useEditor } from "../../document/store.ts";
-import { fetchTask, fromOutside } from "../content.ts";
+import { fetchTask, fromOutside } from "../../records/course/content.ts";
 import { taskOfWork } from "../../document/work-task.ts";
 
 /** The task that the open work is: of its own file, or of the course. "none": its file is not here, or damaged; null: on its way. */

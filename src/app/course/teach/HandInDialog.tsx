@@ -5,14 +5,14 @@ import { downloadText } from "../../base/download.ts";
 import { HandingDialog } from "../../base/HandingDialog.tsx";
 import { Icon } from "../../base/Icon.tsx";
 import { useSettings } from "../../base/settings/settings.ts";
-import { inScreenLanguage, useCourseIndex } from "../content.ts";
-import { useLearning } from "../progress.ts";
+import { inScreenLanguage, useCourseIndex } from "../../records/course/content.ts";
+import { useLearning } from "../../records/course/progress.ts";
 import { handedResult } from "./hand-in.ts";
 import { LinkBox, pageAddress } from "./LinkBox.tsx";
 import { resultLink, taughtFile } from "./taught-files.ts";
-import { useTaught } from "./taught.ts";
+import { useTaught } from "../../records/course/taught.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
-import { startWorkingTime } from "./working-time.ts";
+import { startWorkingTime } from "../../records/course/working-time.ts";
 import { TeachText } from "./WordFields.tsx";
 import "./teach.css";
 

@@ -1,6 +1,6 @@
 import { formatNumber } from "../../../i18n/number.ts";
 import { LONGEST_LINK, SAFE_LINK } from "../../base/limits.ts";
-import { isHereOnly } from "../../handing/reach.ts";
+import { isHereOnly } from "../../records/reach.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { copyText, useCopying } from "../../program/copy.ts";
 import { useSettings } from "../../base/settings/settings.ts";

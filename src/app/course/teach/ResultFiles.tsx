@@ -1,10 +1,10 @@
 import { useState } from "react";
 import { Icon } from "../../base/Icon.tsx";
 import { undo, useSteps } from "../../document/steps.ts";
-import { dropGathered } from "./gathered.ts";
+import { dropGathered } from "../../records/course/gathered.ts";
 import { useProblemWords } from "./problem-words.ts";
-import { plainName, type LearnerFile, type ResultRow } from "./result-rows.ts";
-import type { FileLeftOut } from "./taught-shown.ts";
+import { plainName, type LearnerFile, type ResultRow } from "../../records/course/result-rows.ts";
+import type { FileLeftOut } from "../../records/course/taught-shown.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 
 /** Files that brought nothing, each with its reason. */

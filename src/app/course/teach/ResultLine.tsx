@@ -1,7 +1,7 @@
 import { openText } from "../../files/open-program.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { NUMBERS, type ResultColumn, type ResultRow } from "./result-rows.ts";
-import { leaveTaught } from "./taught-shown.ts";
+import { NUMBERS, type ResultColumn, type ResultRow } from "../../records/course/result-rows.ts";
+import { leaveTaught } from "../../records/course/taught-shown.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 
 /** One task of one learner, with the way to its program. `waits`: it is being run. */

@@ -1,5 +1,5 @@
 import { Icon } from "../../base/Icon.tsx";
-import { NUMBERS, type ResultColumn, type ResultRow } from "./result-rows.ts";
+import { NUMBERS, type ResultColumn, type ResultRow } from "../../records/course/result-rows.ts";
 import { ResultLine } from "./ResultLine.tsx";
 import { useTeachTexts } from "./use-teach-texts.ts";
 

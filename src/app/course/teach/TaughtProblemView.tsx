@@ -2,7 +2,7 @@ import { HandingDialog } from "../../base/HandingDialog.tsx";
 import { Icon } from "../../base/Icon.tsx";
 import { useProblemWords } from "./problem-words.ts";
 import type { TaughtProblem } from "./taught-files.ts";
-import { leaveTaught } from "./taught-shown.ts";
+import { leaveTaught } from "../../records/course/taught-shown.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 
 /** Why a file or a link opens nothing: of a task that was written by hand, field by field. */

@@ -8,8 +8,8 @@ import { Icon } from "../../base/Icon.tsx";
 import { useSettings } from "../../base/settings/settings.ts";
 import { beginTaskAnew } from "../task/begin.ts";
 import { LinkBox, pageAddress } from "./LinkBox.tsx";
-import { forgetForm } from "./kept-form.ts";
-import { keepTask, startTaught, useTaught } from "./taught.ts";
+import { forgetForm } from "../../records/course/kept-form.ts";
+import { keepTask, startTaught, useTaught } from "../../records/course/taught.ts";
 import { taskLink, taughtFile } from "./taught-files.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 

@@ -12,7 +12,7 @@ import { Icon } from "../../base/Icon.tsx";
 import { decimalSign } from "../../../i18n/number.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
-import { keepForm, useForms } from "./kept-form.ts";
+import { keepForm, useForms } from "../../records/course/kept-form.ts";
 import { PartFields } from "./PartFields.tsx";
 import { QuestionFields } from "./QuestionFields.tsx";
 import { QuestionPreview } from "./QuestionPreview.tsx";

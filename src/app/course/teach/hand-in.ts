@@ -7,14 +7,14 @@ import { shippedList } from "../../../program/tool-list.ts";
 import { time } from "../../base/clock.ts";
 import { outcomeBeside } from "../../calculation/beside.ts";
 import { printedText } from "../../document/printed.ts";
-import { readWork } from "../../saving/device.ts";
-import { refreshWorks } from "../../saving/keep.ts";
+import { readWork } from "../../records/device.ts";
+import { refreshWorks } from "../../records/keep.ts";
 import { isProgram } from "../../document/work.ts";
-import { fetchTask, inScreenLanguage } from "../content.ts";
+import { fetchTask, inScreenLanguage } from "../../records/course/content.ts";
 import { keptOfTask } from "../task/begin.ts";
-import type { Again } from "./result-rows.ts";
-import { startTaught, useTaught } from "./taught.ts";
-import { countWork, workedIn } from "./working-time.ts";
+import type { Again } from "../../records/course/result-rows.ts";
+import { startTaught, useTaught } from "../../records/course/taught.ts";
+import { countWork, workedIn } from "../../records/course/working-time.ts";
 
 /** A task by its id: one that was handed out, or one of the course; null where this device has none. */
 export async function taskOfId(id: string): Promise<Task | null> {

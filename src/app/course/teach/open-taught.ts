@@ -1,5 +1,5 @@
 import { LARGEST_TAUGHT, readTaught, readTaughtLink, saysTaught, type ReadTaught } from "./taught-files.ts";
-import { showProblem, showResults, showTask, type NamedResult } from "./taught-shown.ts";
+import { showProblem, showResults, showTask, type NamedResult } from "../../records/course/taught-shown.ts";
 
 /** Shows the task or the results of a link, or says why it carries none. */
 export function openTaughtLink(hash: string): void {

@@ -1,8 +1,8 @@
 import { readResult, RESULT_FORMAT, type HandedResult } from "../../../course/made/result.ts";
 import { formatOf, readTask, type FieldFault } from "../../../course/read-task.ts";
 import { TASK_FORMAT, type Task } from "../../../course/task.ts";
-import { packedForLink, unpackedFromLink } from "../../handing/link.ts";
-import { fromOutside } from "../content.ts";
+import { packedForLink, unpackedFromLink } from "../../records/link.ts";
+import { fromOutside } from "../../records/course/content.ts";
 
 /** Forms of the links; newer ones have higher numbers. */
 const TASK_MARK = "#t1=", RESULT_MARK = "#r1=";

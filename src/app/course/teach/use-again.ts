@@ -1,6 +1,6 @@
 import { useEffect, useState } from "react";
 import { runAgain } from "./hand-in.ts";
-import type { Again, ResultRow } from "./result-rows.ts";
+import type { Again, ResultRow } from "../../records/course/result-rows.ts";
 
 /** What was found of results that were run here: those that come later do not run the others again. */
 const found = new WeakMap<ResultRow["result"], Again>();

@@ -1,6 +1,6 @@
 import { formatNumber } from "../../../i18n/number.ts";
 import { useSettings } from "../../base/settings/settings.ts";
-import type { Again, ResultColumn, ResultRow } from "./result-rows.ts";
+import type { Again, ResultColumn, ResultRow } from "../../records/course/result-rows.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 
 const MINUTE = 60;

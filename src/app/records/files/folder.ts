@@ -1,5 +1,5 @@
 import { ENDINGS, type Chosen, type FileHandle, type FolderHandle } from "./file-handle.ts";
-import { DEEPEST_FOLDER, LARGEST_PROGRAM, MOST_FILES } from "../base/limits.ts";
+import { DEEPEST_FOLDER, LARGEST_PROGRAM, MOST_FILES } from "../../base/limits.ts";
 
 /** What was found in a folder. */
 export interface FolderContent {

@@ -4,5 +4,5 @@ declare module "virtual:course-index" {
   /** The number of each lesson, by its id. */
   export const lessonNumbers: Readonly<Partial<Record<string, number>>>;
   /** All lessons in their order, in a language. */
-  export function courseIndexOf(language: import("../../i18n/languages.ts").Language): Promise<import("./content.ts").CourseIndex>;
+  export function courseIndexOf(language: import("../../../i18n/languages.ts").Language): Promise<import("./content.ts").CourseIndex>;
 }

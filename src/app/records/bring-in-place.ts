@@ -1,7 +1,7 @@
 import { untilHere } from "../base/parts.ts";
 import { create } from "zustand";
-import { handedWork, showIncoming } from "../handing/incoming.ts";
-import type { ArchiveProblem, ReadArchive } from "../saving/archive.ts";
+import { handedWork, showIncoming } from "./incoming.ts";
+import type { ArchiveProblem, ReadArchive } from "./archive.ts";
 
 /** A file of works that somebody wants to bring in: what is in it, or why nothing is. */
 export interface Bringing {
@@ -21,7 +21,7 @@ export const isArchiveName = (name: string): boolean => /\.zip$/i.test(name);
 /** Reads a file of works and shows what is in it. Nothing is taken yet. */
 export async function bringIn(file: File): Promise<void> {
   const { name } = file;
-  const { ARCHIVE_LIMITS, readArchive } = await untilHere(() => import("../saving/archive.ts"));
+  const { ARCHIVE_LIMITS, readArchive } = await untilHere(() => import("./archive.ts"));
   try {
     if (file.size > ARCHIVE_LIMITS.packed) return useBringing.setState({ shown: { name, archive: null, problem: "tooLarge" } });
     const read = readArchive(new Uint8Array(await file.arrayBuffer()));

@@ -7,7 +7,7 @@ import { exampleJob } from "../../program/job.ts";
 import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS, type CellName } from "../../program/tool-columns.ts";
 import { shippedList } from "../../program/tool-list.ts";
 import { LARGEST_PROGRAM } from "../base/limits.ts";
-import { plainWork } from "../saving/save-file.ts";
+import { plainWork } from "./save-file.ts";
 import type { ProgramWork, Work } from "../document/work.ts";
 import { LINK_MARK, linkOf, readLink } from "./link.ts";
 import { COMMON } from "./words-of-links.ts";

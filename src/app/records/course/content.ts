@@ -1,9 +1,9 @@
 import { courseIndexOf } from "virtual:course-index";
-import { lessonSchema, type Lesson } from "../../course/lesson.ts";
-import { taskSchema, type Task } from "../../course/task.ts";
-import type { Language } from "../../i18n/languages.ts";
-import { untilHere } from "../base/parts.ts";
-import { laterTexts } from "../base/settings/later-texts.ts";
+import { lessonSchema, type Lesson } from "../../../course/lesson.ts";
+import { taskSchema, type Task } from "../../../course/task.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { untilHere } from "../../base/parts.ts";
+import { laterTexts } from "../../base/settings/later-texts.ts";
 
 /** A task as the list of lessons knows it. */
 export interface TaskEntry {
@@ -30,8 +30,8 @@ export interface CourseIndex {
 /** The list of lessons, in the screen language. */
 export const { useThem: useCourseIndex, provide: provideCourseIndex } = laterTexts(courseIndexOf);
 
-const lessons = import.meta.glob<unknown>("../../course/lessons/*.json", { import: "default" });
-const tasks = import.meta.glob<unknown>("../../course/tasks/*.json", { import: "default" });
+const lessons = import.meta.glob<unknown>("../../../course/lessons/*.json", { import: "default" });
+const tasks = import.meta.glob<unknown>("../../../course/tasks/*.json", { import: "default" });
 
 const found = (files: typeof lessons, ends: (name: string) => boolean) =>
   Object.entries(files).find(([path]) => ends(path.slice(path.lastIndexOf("/") + 1, -".json".length)))?.[1];

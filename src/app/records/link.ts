@@ -2,7 +2,7 @@ import { deflateSync, strToU8 } from "fflate";
 import { unpackedText } from "../base/unpack.ts";
 import { fileNameOf } from "../base/file-name.ts";
 import { LARGEST_PROGRAM } from "../base/limits.ts";
-import { plainWork } from "../saving/save-file.ts";
+import { plainWork } from "./save-file.ts";
 import type { Work } from "../document/work.ts";
 import { COMMON } from "./words-of-links.ts";
 

@@ -1,8 +1,8 @@
 import { create } from "zustand";
 import { hideOwn } from "../document/own-place.ts";
 import { usePlace } from "../place/place.ts";
-import type { ReadArchive } from "../saving/archive.ts";
-import { startWork } from "../saving/keep.ts";
+import type { ReadArchive } from "./archive.ts";
+import { startWork } from "./keep.ts";
 import { hideTools } from "../document/tool-place.ts";
 import type { Work } from "../document/work.ts";
 

@@ -1,8 +1,8 @@
 import { useRef } from "react";
-import { Icon } from "../base/Icon.tsx";
+import { Icon } from "../../base/Icon.tsx";
 import type { SaveBack, SaveHow } from "./save-back.ts";
-import { useFilesTexts } from "../base/use-files-texts.ts";
-import { useModal } from "../base/use-modal.ts";
+import { useFilesTexts } from "../../base/use-files-texts.ts";
+import { useModal } from "../../base/use-modal.ts";
 
 /** What stands in the way of saving. */
 export type Obstacle = Exclude<SaveBack, { readonly kind: "written" | "closed" }>;

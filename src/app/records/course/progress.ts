@@ -1,9 +1,9 @@
 import { create } from "zustand";
 import { isEmptyProgress, mergedProgress, NO_PROGRESS, progressOfTask, readProgress, withHint, withPass, withPlace, withSolution, withTry,
-  type CourseMark, type PassedAnswer, type CourseProgress, type TaskProgress } from "../../course/progress.ts";
-import { time } from "../base/clock.ts";
-import { keepTable } from "../base/device-table.ts";
-import { noteChange } from "../document/steps.ts";
+  type CourseMark, type PassedAnswer, type CourseProgress, type TaskProgress } from "../../../course/progress.ts";
+import { time } from "../../base/clock.ts";
+import { keepTable } from "../../base/device-table.ts";
+import { noteChange } from "../../document/steps.ts";
 
 /** How far this device's learner has come. `damaged`: what was kept could not be read and was set aside. */
 export interface Learning {

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { FileHandle, FolderHandle } from "./file-handle.ts";
 import { filesOfDrop, filesOfFolder, filesOfList } from "./folder.ts";
-import { DEEPEST_FOLDER, LARGEST_PROGRAM, MOST_FILES } from "../base/limits.ts";
+import { DEEPEST_FOLDER, LARGEST_PROGRAM, MOST_FILES } from "../../base/limits.ts";
 
 type Member = FolderHandle | (FileHandle & { readonly kind: "file" });
 

@@ -1,7 +1,7 @@
-import { untilHere } from "../base/parts.ts";
-import { notice } from "../saving/keep.ts";
-import { useSettings } from "../base/settings/settings.ts";
-import type { WorkFile } from "../document/work.ts";
+import { untilHere } from "../../base/parts.ts";
+import { notice } from "../keep.ts";
+import { useSettings } from "../../base/settings/settings.ts";
+import type { WorkFile } from "../../document/work.ts";
 
 /** Whether a text may be DIN/ISO: its reader, which knows, is fetched only then. */
 export const mayBeIso = (text: string): boolean => !/BEGIN PGM/i.test(text) && /^[ \t\ufeff]*(?:%|\/?N?\d*[ \t]*G[ \t]*\d)/im.test(text);
@@ -11,11 +11,11 @@ export async function asKlartext(file: WorkFile): Promise<WorkFile> {
   if (!mayBeIso(file.text)) return file;
   const [{ isIsoText }, { klartextOfIso }, { isoNames }, { ncLabels }, { LAYOUTS }] = await untilHere(() =>
     Promise.all([
-      import("../../nc/iso/lines.ts"),
-      import("../../nc/iso/read-iso.ts"),
-      import("../../program/iso-names.ts"),
-      import("../../i18n/nc-labels.ts"),
-      import("../../nc/style.ts"),
+      import("../../../nc/iso/lines.ts"),
+      import("../../../nc/iso/read-iso.ts"),
+      import("../../../program/iso-names.ts"),
+      import("../../../i18n/nc-labels.ts"),
+      import("../../../nc/style.ts"),
     ])
   );
   if (!isIsoText(file.text)) return file;

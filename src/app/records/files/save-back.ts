@@ -1,5 +1,5 @@
-import { encode } from "../document/encoding.ts";
-import type { WorkFile } from "../document/work.ts";
+import { encode } from "../../document/encoding.ts";
+import type { WorkFile } from "../../document/work.ts";
 import { askWhere, type FileHandle } from "./file-handle.ts";
 import { hasChanged, keepHandle, keptHandle } from "./kept-handles.ts";
 
