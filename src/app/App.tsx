@@ -13,7 +13,7 @@ import { useVersion } from "./base/version.ts";
 import { useOwnPlace } from "./document/own-place.ts";
 import { lazyPart } from "./base/parts.ts";
 import { TaskLine } from "./course/task/TaskLine.tsx";
-import { useCopying } from "./program/copy.ts";
+import { useCopying } from "./findings/copy.ts";
 import { fetchAtRest } from "./base/rest.ts";
 import { useElsewhere } from "./place/elsewhere.ts";
 import { useKeeping } from "./records/keep.ts";

@@ -4,7 +4,7 @@ import { loadCompare } from "../../i18n/load-compare.ts";
 import type { BlockDifference } from "../../program/compare/compare.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useLengths } from "../calculation/lengths.ts";
-import { copyText, useCopying } from "../program/copy.ts";
+import { copyText, useCopying } from "../findings/copy.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useEditor } from "../document/store.ts";
 import { comparisonText, findingTexts, summaryText, verdictChange, wholeTexts, type Wording } from "./compare-words.ts";

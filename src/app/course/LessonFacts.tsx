@@ -2,7 +2,7 @@ import { Suspense } from "react";
 import { operationsPlayed, type Played } from "../../course/played.ts";
 import { formatFixed, formatNumber } from "../../i18n/number.ts";
 import type { Outcome } from "../calculation/outcome.ts";
-import { effectOf } from "../effect/effect.ts";
+import { effectOf } from "../findings/effect/effect.ts";
 import { useLengths } from "../calculation/lengths.ts";
 import { LoadScale } from "../load/LoadScale.tsx";
 import { useLoadDrawing } from "../load/use-drawing.ts";

@@ -3,7 +3,7 @@ import { knownWork } from "../../program/known-work.ts";
 import { MachineView } from "../approach/MachineView.tsx";
 import { clock } from "../base/clock.ts";
 import { Centre, HelpDock } from "../dialog/HelpDock.tsx";
-import { PinnedCard } from "../effect/Pinned.tsx";
+import { PinnedCard } from "../findings/effect/Pinned.tsx";
 import { givenOf } from "../calculation/given.ts";
 import { Working } from "../calculation/Working.tsx";
 import { useOutcome } from "../calculation/outcome.ts";

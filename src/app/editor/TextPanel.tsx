@@ -11,7 +11,7 @@ import { useFileKind } from "../document/output.ts";
 import { isoFile } from "../document/printed.ts";
 import { mayLeave, type Way } from "../leaving/leaving.ts";
 import { ProgramMore } from "../program/ProgramMore.tsx";
-import { useCopying } from "../program/copy.ts";
+import { useCopying } from "../findings/copy.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useEditor } from "../document/store.ts";
 import { encode, notIn } from "../document/encoding.ts";

@@ -9,7 +9,7 @@ import { regionOfResidual } from "../document/residual-region.ts";
 import { WhichButton } from "../document/WhichButton.tsx";
 import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
-import { NO_AREA } from "../effect/effect.ts";
+import { NO_AREA } from "./effect/effect.ts";
 
 /** Tools that are offered; the others leave more. */
 const MOST = 4;

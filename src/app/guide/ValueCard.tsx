@@ -4,7 +4,7 @@ import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
 import { LEAST_SEEN, type ShownChange } from "../../report/guide/shown-effect.ts";
-import { NO_AREA } from "../effect/effect.ts";
+import { NO_AREA } from "../findings/effect/effect.ts";
 import { useIssueText } from "../calculation/issue-text.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { CutPicture } from "./CutPicture.tsx";

@@ -6,7 +6,7 @@ import { VerdictText } from "../findings/VerdictText.tsx";
 import { downloadBytes, downloadText } from "../base/download.ts";
 import { LONGEST_LINK, SAFE_LINK } from "../base/limits.ts";
 import { Icon } from "../base/Icon.tsx";
-import { copyText, useCopying } from "../program/copy.ts";
+import { copyText, useCopying } from "../findings/copy.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { controlInUse, machineInUse } from "../document/work-tools.ts";

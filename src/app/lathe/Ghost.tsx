@@ -2,7 +2,7 @@ import { useEffect, useRef, useState } from "react";
 import { pathStretches, wholePath } from "../../view/passes.ts";
 import { PATH_ROLES, type Scene, type Shape } from "../../view/scene.ts";
 import type { Clock } from "../base/clock.ts";
-import { useCompared } from "../effect/before.ts";
+import { useCompared } from "../findings/effect/before.ts";
 import { reducedMotion } from "../base/settings/appearance.ts";
 import { useSettings } from "../base/settings/settings.ts";
 

@@ -3,7 +3,7 @@ import type { Texts } from "../../i18n/index.ts";
 import type { Lengths } from "../../i18n/lengths.ts";
 import { toneOf, type ShownVerdict } from "../findings/verdict.ts";
 import { verdictReasons, verdictTitle } from "../findings/verdict-words.ts";
-import { closeCopying, useCopying } from "../program/copy.ts";
+import { closeCopying, useCopying } from "../findings/copy.ts";
 import { useFileKind } from "../document/output.ts";
 import { useLengths } from "../calculation/lengths.ts";
 import { blockCount } from "../document/printed.ts";

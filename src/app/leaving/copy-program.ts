@@ -1,6 +1,6 @@
 import type { Job } from "../../program/job.ts";
 import { leavingText, printedText } from "../document/printed.ts";
-import { copyText } from "../program/copy.ts";
+import { copyText } from "../findings/copy.ts";
 import { mayLeave } from "./leaving.ts";
 
 /** Copies a program, or the part of it that was marked; one with faults only when the operator means it. */

@@ -1,6 +1,6 @@
 import { useOutcome } from "../calculation/outcome.ts";
 import { useSettings } from "../base/settings/settings.ts";
-import { timeContents } from "../effect/time-contents.ts";
+import { timeContents } from "../findings/effect/time-contents.ts";
 import { useMachineTextsSoon } from "../base/use-machine-texts.ts";
 
 /** Says in place of the rapid rate that the machine states its own. */

@@ -4,7 +4,7 @@ import { isKept } from "../../cycles/kept-cycles.ts";
 import type { Lengths } from "../../i18n/lengths.ts";
 import { formatFixed } from "../../i18n/number.ts";
 import type { Texts } from "../../i18n/index.ts";
-import { NO_AREA } from "../effect/effect.ts";
+import { NO_AREA } from "../findings/effect/effect.ts";
 import type { Done } from "../editor/program-parts.ts";
 import type { OperationRow } from "./operation-rows.ts";
 

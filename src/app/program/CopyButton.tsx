@@ -3,7 +3,7 @@ import { copyJob } from "../leaving/copy-program.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useEditor } from "../document/store.ts";
-import { useCopying } from "./copy.ts";
+import { useCopying } from "../findings/copy.ts";
 import { useFileKind } from "../document/output.ts";
 
 /** Copies the program, and says so on its own face. It is the main button only while nothing is wrong. */

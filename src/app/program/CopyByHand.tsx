@@ -1,6 +1,6 @@
 import { useLayoutEffect, useRef } from "react";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
-import { closeCopying, useCopying } from "./copy.ts";
+import { closeCopying, useCopying } from "../findings/copy.ts";
 
 /** Where the clipboard is refused: the text, selected, to be copied by hand. */
 export function CopyByHand() {

@@ -1,6 +1,6 @@
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { Run } from "../../program/run-types.ts";
-import { timeCauses, timeContents } from "../effect/time-contents.ts";
+import { timeCauses, timeContents } from "../findings/effect/time-contents.ts";
 import { useMachineTexts } from "../base/use-machine-texts.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import type { SheetWords } from "./sheet-words.ts";

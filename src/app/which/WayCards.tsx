@@ -7,7 +7,7 @@ import type { WhichTexts } from "../../i18n/which-text.ts";
 import { bestFirst, bestOf } from "../../report/which/best.ts";
 import type { Tried } from "../../report/which/try-way.ts";
 import type { Proposal } from "../../report/which/ways.ts";
-import { NO_AREA } from "../effect/effect.ts";
+import { NO_AREA } from "../findings/effect/effect.ts";
 import { Icon } from "../base/Icon.tsx";
 import { issueText } from "../calculation/issue-text.ts";
 import { clockText } from "../base/clock-text.ts";

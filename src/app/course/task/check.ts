@@ -3,7 +3,7 @@ import type { Answer } from "../../../course/judge/judgement.ts";
 import type { Task } from "../../../course/task.ts";
 import { compareTold, type ComparedAnswer } from "../../../course/told.ts";
 import { asProgram } from "../../compare/sides.ts";
-import { compareFromHere } from "../../effect/before.ts";
+import { compareFromHere } from "../../findings/effect/before.ts";
 import { outcomeBeside } from "../../calculation/beside.ts";
 import { calculateAgain } from "../../calculation/client.ts";
 import { forgetOutcome, isMadeFrom, useOutcome, type Outcome } from "../../calculation/outcome.ts";

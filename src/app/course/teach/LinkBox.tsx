@@ -2,7 +2,7 @@ import { formatNumber } from "../../../i18n/number.ts";
 import { LONGEST_LINK, SAFE_LINK } from "../../base/limits.ts";
 import { isHereOnly } from "../../records/reach.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { copyText, useCopying } from "../../program/copy.ts";
+import { copyText, useCopying } from "../../findings/copy.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 import "../../base/handing.css";

@@ -1,7 +1,7 @@
-import type { Language } from "../../i18n/languages.ts";
-import type { Lengths } from "../../i18n/lengths.ts";
-import { formatFixed } from "../../i18n/number.ts";
-import type { Texts } from "../../i18n/index.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import type { Lengths } from "../../../i18n/lengths.ts";
+import { formatFixed } from "../../../i18n/number.ts";
+import type { Texts } from "../../../i18n/index.ts";
 import type { MeasuredSetting } from "./before.ts";
 
 /** The numbers that are compared, in the order in which they stand. */

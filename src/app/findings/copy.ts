@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import type { ShownVerdict } from "../findings/verdict.ts";
+import type { ShownVerdict } from "./verdict.ts";
 
 /** How the last copying went; null before it and once its message is gone. */
 export interface Copying {

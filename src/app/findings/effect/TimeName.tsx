@@ -1,5 +1,5 @@
 import { Suspense } from "react";
-import { lazyPart } from "../base/parts.ts";
+import { lazyPart } from "../../base/parts.ts";
 
 /** Fetched when a time is first shown. */
 const TimeParts = lazyPart(async () => ({ default: (await import("./TimeParts.tsx")).TimeParts }));

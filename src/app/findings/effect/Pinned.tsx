@@ -1,7 +1,7 @@
 import { Suspense } from "react";
-import { useOutcome } from "../calculation/outcome.ts";
-import { lazyPart } from "../base/parts.ts";
-import { useTexts } from "../base/settings/use-texts.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import { lazyPart } from "../../base/parts.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 import { pin, useCompared } from "./before.ts";
 
 /** Fetched when a setting is pinned. */

@@ -1,7 +1,7 @@
 import { useMemo } from "react";
-import { useOutcome } from "../calculation/outcome.ts";
-import { useLengths } from "../calculation/lengths.ts";
-import { useTexts } from "../base/settings/use-texts.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import { useLengths } from "../../calculation/lengths.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 import { settingOf, useCompared, type MeasuredSetting } from "./before.ts";
 import { changeText, numberText, type ComparedNumber } from "./changes.ts";
 

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { texts } from "../../i18n/index.ts";
-import { lengthsOf } from "../calculation/lengths.ts";
+import { texts } from "../../../i18n/index.ts";
+import { lengthsOf } from "../../calculation/lengths.ts";
 import type { MeasuredSetting } from "./before.ts";
 import { changeText, numberText } from "./changes.ts";
 

@@ -1,9 +1,9 @@
-import { cycleByNumber } from "../../cycles/index.ts";
-import { readText } from "../../program/field.ts";
-import { SETUP_FIELDS } from "../../program/setup-fields.ts";
-import type { Run } from "../../program/run-types.ts";
-import type { Outcome, Planned } from "../calculation/outcome.ts";
-import type { JobReading } from "../document/reading.ts";
+import { cycleByNumber } from "../../../cycles/index.ts";
+import { readText } from "../../../program/field.ts";
+import { SETUP_FIELDS } from "../../../program/setup-fields.ts";
+import type { Run } from "../../../program/run-types.ts";
+import type { Outcome, Planned } from "../../calculation/outcome.ts";
+import type { JobReading } from "../../document/reading.ts";
 
 /** What a program does, in numbers. */
 export interface Effect {

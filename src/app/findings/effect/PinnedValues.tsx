@@ -1,11 +1,11 @@
 import { useState } from "react";
-import type { ParamTextId } from "../../cycles/index.ts";
-import { useOutcome } from "../calculation/outcome.ts";
-import { Icon } from "../base/Icon.tsx";
-import { readJob } from "../document/reading.ts";
-import { useLengths } from "../calculation/lengths.ts";
-import { useTexts } from "../base/settings/use-texts.ts";
-import { useEditor, type Editor } from "../document/store.ts";
+import type { ParamTextId } from "../../../cycles/index.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import { Icon } from "../../base/Icon.tsx";
+import { readJob } from "../../document/reading.ts";
+import { useLengths } from "../../calculation/lengths.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { useEditor, type Editor } from "../../document/store.ts";
 import { pin, settingOf, takeBackPinned, useCompared } from "./before.ts";
 import { COMPARED, numberText } from "./changes.ts";
 

@@ -1,10 +1,10 @@
 import { create } from "zustand";
-import { useOutcome, type Outcome, type Planned } from "../calculation/outcome.ts";
-import { usePlace } from "../place/place.ts";
-import { printedText } from "../document/printed.ts";
-import { readJob } from "../document/reading.ts";
-import { closeStep } from "../document/steps.ts";
-import { changeProgram, edit, useEditor, type Editor } from "../document/store.ts";
+import { useOutcome, type Outcome, type Planned } from "../../calculation/outcome.ts";
+import { usePlace } from "../../place/place.ts";
+import { printedText } from "../../document/printed.ts";
+import { readJob } from "../../document/reading.ts";
+import { closeStep } from "../../document/steps.ts";
+import { changeProgram, edit, useEditor, type Editor } from "../../document/store.ts";
 import { chipArea, cutAtOnce, effectNow, type Effect } from "./effect.ts";
 
 /** A setting with what came of it, to compare another one with. */
