@@ -18,7 +18,7 @@ import { useListed } from "./findings/use-findings.ts";
 import { Icon } from "./base/Icon.tsx";
 import { CycleInWork } from "./calculation/issue-text.ts";
 import { LeavingDialog } from "./leaving/LeavingDialog.tsx";
-import { LatheView } from "./lathe/LatheView.tsx";
+import { LatheView } from "./pictures/lathe/LatheView.tsx";
 import { MeasuredInto } from "./document/measured-into.ts";
 import { useMeasuredTarget } from "./document/measured-target.ts";
 import { Late, useLater } from "./base/Late.tsx";

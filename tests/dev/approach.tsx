@@ -2,7 +2,7 @@ import { useState } from "react";
 import { createRoot } from "react-dom/client";
 import { ApproachDialog } from "../../src/app/approach/ApproachDialog.tsx";
 import { entryAt } from "../../src/app/findings/entry.ts";
-import { PlaneView } from "../../src/app/approach/PlaneView.tsx";
+import { PlaneView } from "../../src/app/pictures/plane/PlaneView.tsx";
 import { clock } from "../../src/app/base/clock.ts";
 import { createPlaybackStore } from "../../src/app/calculation/playback-store.ts";
 import { followAppearance } from "../../src/app/base/settings/appearance.ts";

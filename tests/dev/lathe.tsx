@@ -1,6 +1,6 @@
 import { createRoot } from "react-dom/client";
 import { clock } from "../../src/app/base/clock.ts";
-import { LatheView } from "../../src/app/lathe/LatheView.tsx";
+import { LatheView } from "../../src/app/pictures/lathe/LatheView.tsx";
 import { createPlaybackStore } from "../../src/app/calculation/playback-store.ts";
 import { followAppearance } from "../../src/app/base/settings/appearance.ts";
 import { fetchTexts } from "../../src/app/base/settings/loaded-texts.ts";

@@ -3,7 +3,7 @@ import type { Language } from "../../src/i18n/languages.ts";
 import { createRoot } from "react-dom/client";
 import "../../src/app/base/styles/base.css";
 import "../../src/app/base/styles/dialog.css";
-import { HelpPicture } from "../../src/app/help/HelpPicture.tsx";
+import { HelpPicture } from "../../src/app/pictures/help/HelpPicture.tsx";
 import { catalogue } from "../../src/cycles/index.ts";
 import { contourFrom } from "../../src/kernel/contour.ts";
 import { axial, diameter, toRadius } from "../../src/kernel/units.ts";

@@ -4,8 +4,8 @@ import type { ApproachContext } from "../../program/approach-request.ts";
 import { suggestedForms, type SuggestedForm } from "../../view/approach/forms.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { FormCard } from "./FormCard.tsx";
-import "../help/help.css";
-import "./approach.css";
+import "../pictures/help/help.css";
+import "../pictures/plane/approach.css";
 
 /** A corner to show the forms at, while there is no contour next to the block. */
 const CORNER: readonly PlaneSegment[] = [{ kind: "line", from: { x: 0, y: 60 }, to: { x: 0, y: 0 } }, {

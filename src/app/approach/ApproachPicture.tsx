@@ -9,14 +9,14 @@ import { dragged, handlesOf, type Dragged } from "../../view/approach/drag.ts";
 import { approachDrawing } from "../../view/approach/drawing.ts";
 import { nearby } from "../../view/approach/forms.ts";
 import { px } from "../../view/help/marks.ts";
-import { HelpMarks } from "../help/HelpMarks.tsx";
-import { useSize } from "../help/use-size.ts";
+import { HelpMarks } from "../pictures/help/HelpMarks.tsx";
+import { useSize } from "../pictures/help/use-size.ts";
 import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { approachSpeech } from "./speech.ts";
-import { gridOf, useDrag } from "./use-drag.ts";
-import "../help/help.css";
-import "./approach.css";
+import { approachSpeech } from "../pictures/plane/speech.ts";
+import { gridOf, useDrag } from "../pictures/plane/use-drag.ts";
+import "../pictures/help/help.css";
+import "../pictures/plane/approach.css";
 
 const { direction, scaled } = plane;
 

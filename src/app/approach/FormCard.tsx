@@ -6,10 +6,10 @@ import { approachDrawing } from "../../view/approach/drawing.ts";
 import { nearby, type SuggestedForm } from "../../view/approach/forms.ts";
 import type { PlaneSegment } from "../../kernel/plane.ts";
 import { px } from "../../view/help/marks.ts";
-import { HelpMarks } from "../help/HelpMarks.tsx";
+import { HelpMarks } from "../pictures/help/HelpMarks.tsx";
 import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { approachSpeech } from "./speech.ts";
+import { approachSpeech } from "../pictures/plane/speech.ts";
 
 const SIZE = { width: 200, height: 132 };
 const NO_TIP: PlanePoint = { x: 0, y: 0 };

@@ -10,9 +10,9 @@ import { toScreen, zoomed, type Camera, type Margin, type Place } from "../../vi
 import { WORKPIECE_ZERO } from "../../view/datum.ts";
 import { contourDrawing } from "../../view/help/contour-drawing.ts";
 import { px } from "../../view/help/marks.ts";
-import { useSize } from "../help/use-size.ts";
-import { CameraAxes } from "../lathe/Axes.tsx";
-import { ZeroMark } from "../lathe/Marks.tsx";
+import { useSize } from "../pictures/help/use-size.ts";
+import { CameraAxes } from "../pictures/lathe/Axes.tsx";
+import { ZeroMark } from "../pictures/lathe/Marks.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { useFingers } from "../base/use-media.ts";
 import { DrawingDimensions } from "./DrawingDimensions.tsx";

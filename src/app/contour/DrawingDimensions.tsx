@@ -10,7 +10,7 @@ import { WORKPIECE_ZERO } from "../../view/datum.ts";
 import type { ContourPicture } from "../../view/help/contour-drawing.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
-import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
+import { SCALE_BELOW, SCALE_LEFT } from "../pictures/lathe/Axes.tsx";
 import { useFingers } from "../base/use-media.ts";
 import { drawnDimensions, type DrawnDimension } from "./drawing-dimensions.ts";
 

@@ -4,9 +4,9 @@ import { formatFixed, formatNumber } from "../../i18n/number.ts";
 import type { Outcome } from "../calculation/outcome.ts";
 import { effectOf } from "../findings/effect/effect.ts";
 import { useLengths } from "../calculation/lengths.ts";
-import { LoadScale } from "../load/LoadScale.tsx";
-import { useLoadDrawing } from "../load/use-drawing.ts";
-import { loadPlaceText, loadValue, useGreatest, useLoadTexts, useMeasuredRun, type Told } from "../load/use-load.ts";
+import { LoadScale } from "../pictures/load/LoadScale.tsx";
+import { useLoadDrawing } from "../pictures/load/use-drawing.ts";
+import { loadPlaceText, loadValue, useGreatest, useLoadTexts, useMeasuredRun, type Told } from "../pictures/load/use-load.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 

@@ -9,19 +9,19 @@ import type { Ring } from "../../kernel/point.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
 import type { Outcome } from "../calculation/outcome.ts";
 import { useLong } from "../calculation/use-long.ts";
-import { Marks } from "../lathe/Marks.tsx";
-import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
-import { seenFlat } from "../lathe/seeing.ts";
-import { Picture } from "../lathe/Picture.tsx";
+import { Marks } from "../pictures/lathe/Marks.tsx";
+import { PlaceButtons, PlaceLines } from "../pictures/lathe/PlaceButtons.tsx";
+import { seenFlat } from "../pictures/lathe/seeing.ts";
+import { Picture } from "../pictures/lathe/Picture.tsx";
 import type { PlaybackStore } from "../calculation/playback-store.ts";
-import { statusText } from "../lathe/Readout.tsx";
-import { useMaterial } from "../lathe/use-material.ts";
-import { stretchesOf } from "../lathe/use-paths.ts";
-import { usePlayback } from "../lathe/use-playback.ts";
-import { createViewport, type Viewport } from "../lathe/viewport.ts";
-import { LoadLines } from "../load/LoadLines.tsx";
-import { LoadMark } from "../load/LoadMark.tsx";
-import type { Told } from "../load/use-load.ts";
+import { statusText } from "../pictures/lathe/Readout.tsx";
+import { useMaterial } from "../pictures/lathe/use-material.ts";
+import { stretchesOf } from "../pictures/lathe/use-paths.ts";
+import { usePlayback } from "../pictures/lathe/use-playback.ts";
+import { createViewport, type Viewport } from "../pictures/lathe/viewport.ts";
+import { LoadLines } from "../pictures/load/LoadLines.tsx";
+import { LoadMark } from "../pictures/load/LoadMark.tsx";
+import type { Told } from "../pictures/load/use-load.ts";
 import { lazyPart } from "../base/parts.ts";
 import { reducedMotion } from "../base/settings/appearance.ts";
 import { CountedIn, useLengths } from "../calculation/lengths.ts";
@@ -34,10 +34,10 @@ import type { LessonPageOf } from "./lesson-pages.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 import { useLessonLoad } from "./use-lesson-load.ts";
 import { useStretch } from "./use-stretch.ts";
-import "../lathe/lathe.css";
+import "../pictures/lathe/lathe.css";
 
 /** Fetched for a program that has approaches. */
-const TurnPoints = lazyPart(async () => ({ default: (await import("../approach/TurnPoints.tsx")).TurnPoints }));
+const TurnPoints = lazyPart(async () => ({ default: (await import("../pictures/plane/TurnPoints.tsx")).TurnPoints }));
 
 /** What is done sooner than this is not worth a word, ms. */
 const SOON = 300;

@@ -3,7 +3,7 @@ import { blocksOfLines } from "../../course/start-of.ts";
 import type { Run } from "../../program/run-types.ts";
 import { Icon } from "../base/Icon.tsx";
 import type { PlaybackStore } from "../calculation/playback-store.ts";
-import { useReadPlayback } from "../lathe/use-playback.ts";
+import { useReadPlayback } from "../pictures/lathe/use-playback.ts";
 import { openToTry } from "./open-example.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 

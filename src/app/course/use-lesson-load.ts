@@ -2,8 +2,8 @@ import { useEffect } from "react";
 import { loadRequestOf } from "../calculation/load-request.ts";
 import type { Outcome } from "../calculation/outcome.ts";
 import { askAgain } from "../calculation/worker-life.ts";
-import { useMeasuredLoad } from "../load/load-store.ts";
-import type { Told } from "../load/use-load.ts";
+import { useMeasuredLoad } from "../pictures/load/load-store.ts";
+import type { Told } from "../pictures/load/use-load.ts";
 
 /** Values rest for so long before they are measured, ms: while one slides, the path comes first. */
 const REST = 120;

@@ -2,7 +2,7 @@ import { useMemo } from "react";
 import type { Outcome } from "../calculation/outcome.ts";
 import { findingsOf } from "../findings/findings.ts";
 import { issueText } from "../calculation/issue-text.ts";
-import { lookAtOf, type LookAt } from "../lathe/places.ts";
+import { lookAtOf, type LookAt } from "../pictures/lathe/places.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 

@@ -2,7 +2,7 @@ import { useMemo } from "react";
 import type { CycleNumber } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { givenOf } from "../calculation/given.ts";
-import { HelpPicture } from "../help/HelpPicture.tsx";
+import { HelpPicture } from "../pictures/help/HelpPicture.tsx";
 import type { Numbers } from "../../view/help/lettering.ts";
 import { useLater } from "../base/Late.tsx";
 import type { JobReading } from "../document/reading.ts";

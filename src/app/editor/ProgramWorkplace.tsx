@@ -1,6 +1,6 @@
 import { Suspense, useEffect, useMemo, type ReactNode } from "react";
 import { knownWork } from "../../program/known-work.ts";
-import { MachineView } from "../approach/MachineView.tsx";
+import { MachineView } from "../pictures/plane/MachineView.tsx";
 import { clock } from "../base/clock.ts";
 import { Centre, HelpDock } from "../dialog/HelpDock.tsx";
 import { PinnedCard } from "../findings/effect/Pinned.tsx";

@@ -5,7 +5,7 @@ import { shownBeside } from "../document/shown-file.ts";
 import { trackOf } from "../../view/playback.ts";
 import { playback } from "../calculation/playback.ts";
 import { useSelection } from "../document/selected.ts";
-import { choosePath } from "../selection.ts";
+import { choosePath } from "../pictures/selection.ts";
 import { isPresent } from "./present.ts";
 import { blockRange } from "./reading-field.ts";
 import { sessionView, useSession } from "./session.ts";

@@ -1,6 +1,6 @@
 import type { StateEffect } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
-import { shownBlock } from "../approach/shown-view.ts";
+import { shownBlock } from "../pictures/plane/shown-view.ts";
 import { useOutcome } from "../calculation/outcome.ts";
 import { showSection, usePlace } from "../place/place.ts";
 import type { Playback } from "../../view/playback.ts";

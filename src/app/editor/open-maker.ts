@@ -3,7 +3,7 @@ import { askedByMove } from "../../cycles/asked-by-move.ts";
 import { blockNumbers, startLines } from "../../nc/program.ts";
 import { definitionOf } from "../../program/path-index.ts";
 import type { Run } from "../../program/run-types.ts";
-import { shownBlock, showsPlane, useAskedView } from "../approach/shown-view.ts";
+import { shownBlock, showsPlane, useAskedView } from "../pictures/plane/shown-view.ts";
 import { showFile } from "../document/shown-file.ts";
 import { openBlock, readWhole, useSession } from "./session.ts";
 

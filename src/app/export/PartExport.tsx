@@ -5,7 +5,7 @@ import type { ExportTexts } from "../../i18n/en/export.ts";
 import { DXF_CHORD, writeDxf } from "../../program/write-dxf.ts";
 import { contourSvg } from "../../view/contour-svg.ts";
 import { bodyStl } from "../../view/solid/export.ts";
-import { showsPlane, useAskedView } from "../approach/shown-view.ts";
+import { showsPlane, useAskedView } from "../pictures/plane/shown-view.ts";
 import { downloadBytes, downloadText } from "../base/download.ts";
 import { Icon } from "../base/Icon.tsx";
 import { playback } from "../calculation/playback.ts";

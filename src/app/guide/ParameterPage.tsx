@@ -6,7 +6,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import type { Numbers } from "../../view/help/lettering.ts";
 import { unitOf } from "../dialog/write-value.ts";
 import { givenOf } from "../calculation/given.ts";
-import { HelpPicture } from "../help/HelpPicture.tsx";
+import { HelpPicture } from "../pictures/help/HelpPicture.tsx";
 import { Icon } from "../base/Icon.tsx";
 import { readJob } from "../document/reading.ts";
 import { useSettings } from "../base/settings/settings.ts";

@@ -2,7 +2,7 @@ import { useMemo, useState } from "react";
 import type { HandedTexts } from "../../i18n/en/handed.ts";
 import { cellOf, readEntry, type ToolEntry } from "../../program/tool-entry.ts";
 import { toolsBeside, type KeepAs, type KeptTools, type ToolBeside } from "../../program/tool-difference.ts";
-import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
+import { InsertDrawing } from "../pictures/lathe/InsertDrawing.tsx";
 import { Icon } from "../base/Icon.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { handedOn, useEditor } from "../document/store.ts";

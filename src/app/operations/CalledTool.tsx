@@ -3,7 +3,7 @@ import type { Statement, StatementOf } from "../../nc/statement.ts";
 import { definesCycle } from "../../program/operations.ts";
 import { useSession } from "../editor/session.ts";
 import { Icon } from "../base/Icon.tsx";
-import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
+import { InsertDrawing } from "../pictures/lathe/InsertDrawing.tsx";
 import { lazyPart } from "../base/parts.ts";
 import { ToolWords } from "../setup/tool-words.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";

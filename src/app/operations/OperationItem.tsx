@@ -4,7 +4,7 @@ import { menuCycle } from "../chooser/menu.ts";
 import { chooseOpenBlock } from "../editor/choose-block.ts";
 import { openBlock } from "../editor/session.ts";
 import { Icon, type IconName } from "../base/Icon.tsx";
-import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
+import { InsertDrawing } from "../pictures/lathe/InsertDrawing.tsx";
 import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import type { OperationRow } from "./operation-rows.ts";

@@ -4,7 +4,7 @@ import { openPrompt, showPrompt, showSection, usePlace } from "../place/place.ts
 import { printedText } from "../document/printed.ts";
 import type { JobReading } from "../document/reading.ts";
 import { NOTHING_SELECTED, useSelection } from "../document/selected.ts";
-import { chooseLine } from "../selection.ts";
+import { chooseLine } from "../pictures/selection.ts";
 import type { ChosenLine } from "./ProgramText.tsx";
 
 /** A line of the program was pointed at: it is marked, its prompt opens, the tool goes to its block, and the path of that is marked. */

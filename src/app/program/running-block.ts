@@ -1,5 +1,5 @@
 import { useOutcome } from "../calculation/outcome.ts";
-import { useReadPlayback } from "../lathe/use-playback.ts";
+import { useReadPlayback } from "../pictures/lathe/use-playback.ts";
 import { playback } from "../calculation/playback.ts";
 
 /** Number of the block whose move stands at the playback's position; null before and after the run. */

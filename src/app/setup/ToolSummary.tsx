@@ -2,7 +2,7 @@ import type { ToolFit } from "../../program/which-tool.ts";
 import { setTool } from "../document/edits.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import { Icon } from "../base/Icon.tsx";
-import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
+import { InsertDrawing } from "../pictures/lathe/InsertDrawing.tsx";
 import { goToField } from "../place/place.ts";
 import { isAboutTool } from "../findings/entry.ts";
 import { useFindings } from "../findings/use-findings.ts";

@@ -2,7 +2,7 @@ import { useEffect, useRef } from "react";
 import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
 import type { ToolFit } from "../../program/which-tool.ts";
 import { setTool } from "../document/edits.ts";
-import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
+import { InsertDrawing } from "../pictures/lathe/InsertDrawing.tsx";
 import { usePlace } from "../place/place.ts";
 import type { JobReading } from "../document/reading.ts";
 import { useTexts } from "../base/settings/use-texts.ts";

@@ -3,13 +3,13 @@ import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { Run } from "../../program/run-types.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import type { SheetMeasurement } from "../../view/sheet/measured.ts";
-import { measurablePlane } from "../approach/plane-source.ts";
+import { measurablePlane } from "../pictures/plane/plane-source.ts";
 import { measuredIn } from "../document/edits.ts";
 import type { Outcome } from "../calculation/outcome.ts";
 import { useLengths } from "../calculation/lengths.ts";
-import { measurementWords, useMeasureTexts } from "../measure/measure-words.ts";
-import { readIn } from "../measure/readings.ts";
-import { measurableRun } from "../measure/source.ts";
+import { measurementWords, useMeasureTexts } from "../pictures/measure/measure-words.ts";
+import { readIn } from "../pictures/measure/readings.ts";
+import { measurableRun } from "../pictures/measure/source.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../document/store.ts";
 

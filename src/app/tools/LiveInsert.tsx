@@ -5,7 +5,7 @@ import { CHORD, ROUND, SAME } from "../../kernel/tolerance.ts";
 import type { Tool } from "../../kernel/tool.ts";
 import { boundsOf } from "../../view/bounds.ts";
 import { Icon } from "../base/Icon.tsx";
-import { heldBounds, InsertDrawing } from "../lathe/InsertDrawing.tsx";
+import { heldBounds, InsertDrawing } from "../pictures/lathe/InsertDrawing.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 

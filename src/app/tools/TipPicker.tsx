@@ -1,7 +1,7 @@
 import { useRef } from "react";
 import { Radio, RadioGroup, type RadioProps } from "react-aria-components/RadioGroup";
 import type { TipOrientation, Tool } from "../../kernel/tool.ts";
-import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
+import { InsertDrawing } from "../pictures/lathe/InsertDrawing.tsx";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 
 /** Edge length of one picture, px. */

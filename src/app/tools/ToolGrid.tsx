@@ -5,7 +5,7 @@ import { cellOf, type EntryReading, type ToolEntry } from "../../program/tool-en
 import type { ToolListReading } from "../../program/tool-list.ts";
 import { anyNumber, readText } from "../../program/field.ts";
 import { Icon } from "../base/Icon.tsx";
-import { InsertDrawing } from "../lathe/InsertDrawing.tsx";
+import { InsertDrawing } from "../pictures/lathe/InsertDrawing.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { drillOf } from "../../program/tool-call.ts";

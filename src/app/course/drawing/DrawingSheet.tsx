@@ -6,7 +6,7 @@ import type { PrintWords } from "../../../view/drawing/print-sizes.ts";
 import { drawingOnSheet } from "../../../view/drawing/workshop-drawing.ts";
 import { drawingSvg } from "../../../view/drawing/drawing-svg.ts";
 import { downloadText } from "../../base/download.ts";
-import { useSize } from "../../help/use-size.ts";
+import { useSize } from "../../pictures/help/use-size.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useModal } from "../../base/use-modal.ts";

@@ -4,7 +4,7 @@ import { shownId, type Task } from "../../../course/task.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { usualTable } from "../../../program/cutting-table.ts";
 import { workshopDrawing } from "../../../view/drawing/workshop-drawing.ts";
-import { useSize } from "../../help/use-size.ts";
+import { useSize } from "../../pictures/help/use-size.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { inScreenLanguage } from "../../records/course/content.ts";
 import { DrawingSheet } from "./DrawingSheet.tsx";

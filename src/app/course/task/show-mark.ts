@@ -7,7 +7,7 @@ import { chooseFinding } from "../../document/chosen.ts";
 import { showPrompt, usePlace } from "../../place/place.ts";
 import { playback } from "../../calculation/playback.ts";
 import { readJob } from "../../document/reading.ts";
-import { chooseLine, choosePath } from "../../selection.ts";
+import { chooseLine, choosePath } from "../../pictures/selection.ts";
 import { useEditor } from "../../document/store.ts";
 
 /** A cut is seen when it has been made, a rapid before it runs into the steel. */

@@ -1,9 +1,0 @@
-import { useOutcome } from "../calculation/outcome.ts";
-import { useTexts } from "../base/settings/use-texts.ts";
-
-/** Over a dimmed picture: what it is. */
-export function Outdated() {
-  const t = useTexts().lathe;
-  const isBeginning = useOutcome((s) => s.pictured?.isBeginning ?? false);
-  return <p className="lathe-outdated small">{isBeginning ? t.beginning : t.outdated}</p>;
-}

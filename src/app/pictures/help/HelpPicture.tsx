@@ -1,0 +1,141 @@
+import { useId, useMemo, useRef, useState } from "react";
+import { likelyCompletion } from "../../../cycles/completions.ts";
+import type { Cycle, Given, Outline } from "../../../cycles/define.ts";
+import { pointPlan } from "../../../cycles/point-plan.ts";
+import type { Plan } from "../../../kernel/plan.ts";
+import { texts } from "../../base/settings/loaded-texts.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { formatNumber } from "../../../i18n/number.ts";
+import { coarseContour } from "../../../view/help/coarse.ts";
+import type { Numbers } from "../../../view/help/lettering.ts";
+import { helpDrawing } from "../../../view/help/picture.ts";
+import { Hatches, HelpMarks } from "./HelpMarks.tsx";
+import { pictureInWords } from "./spoken.ts";
+import { dimensionAt, usePressing } from "./press-dimension.ts";
+import { useSize } from "./use-size.ts";
+import "./help.css";
+
+interface Props {
+  readonly cycle: Cycle;
+  /** All values of the cycle; null while one is missing or no number. */
+  readonly values: Numbers | null;
+  /** Values that can be read so far. */
+  readonly partial?: Numbers;
+  /** One of the prompts holds what is no value: until it does, the last drawing stays. */
+  readonly wrong?: boolean;
+  readonly given: Given;
+  /** The contour is there to draw with; the operator has none yet. */
+  readonly isBorrowed?: boolean;
+  readonly activeQ: string | null;
+  readonly language: Language;
+  /** A dimension was pressed: the parameter that it shows. `taken`: its value is wanted for the open prompt. */
+  readonly onPick?: (q: string, taken: boolean) => void;
+}
+
+interface Drawn {
+  readonly cycle: Cycle;
+  readonly typed: Numbers;
+  readonly values: Numbers;
+  readonly isBorrowed: boolean;
+  readonly outline: Outline;
+  readonly plan: Plan;
+}
+
+/** What these values draw, with others in place of those that are missing; null while they make no contour. */
+function drawnBy(
+  { cycle, given, isBorrowed }: Required<Pick<Props, "cycle" | "given" | "isBorrowed">>,
+  typed: Numbers,
+  before: Numbers | null,
+): Drawn | null {
+  const made = likelyCompletion(cycle, typed, given, before);
+  if (!made) return null;
+  const { values, outline } = made;
+  return { cycle, typed, values: values as Numbers, isBorrowed, outline, plan: pointPlan(cycle, values, outline, given) };
+}
+
+const NOTHING: Numbers = {};
+
+interface SheetProps extends Pick<Props, "cycle" | "activeQ" | "language"> {
+  readonly id: string;
+  readonly shown: Drawn;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** The drawing of what was planned: a part of its own, so that a slow device may do something else between the two. */
+function HelpSheet({ id, cycle, shown, activeQ, language, width, height }: SheetProps) {
+  const t = texts(language);
+  const drawing = useMemo(() =>
+    helpDrawing({
+      params: cycle.params,
+      values: shown.values,
+      typed: shown.typed,
+      isBorrowed: shown.isBorrowed,
+      outline: shown.outline,
+      plan: shown.plan,
+      active: activeQ,
+      size: { width, height },
+      speech: {
+        number: (n, decimals) => formatNumber(language, n, decimals),
+        element: [t.help.element.none, t.help.element.chamfer, t.help.element.radius],
+        reserved: t.help.reserved,
+        notToScale: t.help.notToScale,
+      },
+    }), [cycle, shown, activeQ, width, height, language, t]);
+  return <HelpMarks marks={drawing.marks} id={id} />;
+}
+
+/**
+ * A shop drawing of the contour that the values describe, the active prompt's dimension strong. A value that is missing is drawn with
+ * its Q number in place of a measure. What can not be drawn leaves the last possible drawing, dimmed.
+ */
+export function HelpPicture(props: Props) {
+  const { cycle, values, partial, wrong = false, given: exact, isBorrowed = false, activeQ, language, onPick } = props;
+  const contour = useMemo(() => coarseContour(exact.contour), [exact.contour]);
+  const given = useMemo(() => ({ ...exact, contour }), [exact, contour]);
+  const box = useRef<HTMLDivElement>(null);
+  const id = useId();
+  const size = useSize(box, { width: 400, height: 280 });
+  const said = values ?? partial ?? NOTHING;
+  const [whole, setWhole] = useState<{ readonly cycle: Cycle; readonly values: Numbers } | null>(null);
+  const [last, setLast] = useState<Drawn | null>(null);
+  // Where nothing is missing nothing is filled in from before.
+  const before = !values && whole?.cycle === cycle ? whole.values : null;
+  const kept = last?.cycle === cycle ? last : null;
+  const now = useMemo(() => (wrong ? null : drawnBy({ cycle, given, isBorrowed }, said, before)), [
+    wrong,
+    cycle,
+    said,
+    before,
+    given,
+    isBorrowed,
+  ]);
+  if (now && now !== last) setLast(now);
+  if (now && values && whole?.values !== values) setWhole({ cycle, values });
+  // Where nothing was possible so far, what can be drawn of the values, or of the cycle.
+  const isFirst = !now && !kept;
+  const first = useMemo(() => {
+    const of = { cycle, given, isBorrowed };
+    return isFirst ? drawnBy(of, said, null) ?? drawnBy(of, NOTHING, null) : null;
+  }, [isFirst, cycle, said, given, isBorrowed]);
+  const shown = now ?? kept ?? first;
+  const isStale = !now && kept !== null;
+  const t = texts(language);
+  const note = isStale ? t.help.stale : values === null || isBorrowed ? t.help.partial : null;
+  const pressing = usePressing((at, taken) => {
+    const q = dimensionAt(at);
+    if (q !== null) onPick?.(q, taken);
+  });
+  return (
+    <div className="help-picture" ref={box}>
+      <svg role="img" viewBox={`0 0 ${size.width} ${size.height}`}
+        aria-label={[pictureInWords(t, language, cycle, activeQ, said), note].filter((s) => s !== null).join(" ")}
+        {...(isStale ? { className: "dimmed" } : {})} {...(onPick && pressing)}
+      >
+        <Hatches id={id} />
+        {shown && <HelpSheet id={id} cycle={cycle} shown={shown} activeQ={activeQ} language={language} {...size} />}
+      </svg>
+      {isStale && <p className="help-note" aria-hidden="true">{t.help.stale}</p>}
+    </div>
+  );
+}

@@ -1,0 +1,57 @@
+import { useEffect, useRef } from "react";
+import type { Pt } from "../../../kernel/point.ts";
+import type { Tool } from "../../../kernel/tool.ts";
+import { breakData, breakOf } from "../../../view/cutting-tool/break-line.ts";
+import { pageUnit } from "../../base/unit.ts";
+import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
+import type { Carrying } from "./carry.ts";
+import type { Viewport } from "./viewport.ts";
+
+/** From the edge of the picture to the break, pixels. */
+const INSET = 14;
+
+/** Where a shank leaves the picture it is cut off with a break line, which goes along the edge with the tool. */
+export function BreakLine({ viewport, tool, carrying }: { readonly viewport: Viewport; readonly tool: Tool; readonly carrying: Carrying }) {
+  const sheet = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const element = sheet.current, [ground, line] = element?.querySelectorAll("path") ?? [];
+    if (!element || !tool.holder) return undefined;
+    const unit = pageUnit();
+    const broken = (tip: Pt) => {
+      const { width, height } = viewport.size();
+      const seen = { left: unit * SCALE_LEFT + INSET, right: width - INSET, top: INSET, bottom: height - unit * SCALE_BELOW - INSET };
+      return breakOf(tool, tip, viewport.get(), seen);
+    };
+    let isShown = true;
+    const show = () => {
+      const tip = carrying.tip(), now = tip && broken(tip);
+      if ((now !== null) !== isShown) {
+        isShown = now !== null;
+        element.style.display = isShown ? "" : "none";
+      }
+      const data = now && breakData(now.width, INSET + unit * SCALE_LEFT);
+      if (!data || line?.getAttribute("d") === data.line) return;
+      ground?.setAttribute("d", data.ground);
+      line?.setAttribute("d", data.line);
+    };
+    const gliding = carrying.carry(element, (tip) => {
+      const now = broken(tip);
+      return now && `translate(${now.at.x}px, ${now.at.y}px) rotate(${now.turn}deg)`;
+    });
+    const look = () => {
+      show();
+      gliding.again();
+    };
+    show();
+    const ends = [viewport.subscribe(look), carrying.follow(show), gliding.end];
+    return () => ends.forEach((end) => end());
+  }, [viewport, tool, carrying]);
+  return tool.holder && (
+    <div ref={sheet} className="tool-carrier" aria-hidden="true">
+      <svg className="chip-sheet" width="1" height="1">
+        <path className="break-ground" />
+        <path className="break-line" />
+      </svg>
+    </div>
+  );
+}

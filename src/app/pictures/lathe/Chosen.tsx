@@ -1,0 +1,51 @@
+import { useMemo, useSyncExternalStore } from "react";
+import type { Run } from "../../../program/run-types.ts";
+import { segmentData, stretchData } from "../../../view/path.ts";
+import { toolpath } from "../../../view/scene.ts";
+import { useMarked } from "../selection.ts";
+
+/** What is chosen, over the path: moves, each in the form that it has there, and elements of the contour. */
+export function ChosenPath({ run }: { readonly run: Run }) {
+  const { stretches, contour } = useMarked(run);
+  const shapes = useMemo(() => toolpath(stretches.flatMap(({ first, last }) => run.steps.slice(first, last + 1))), [stretches, run]);
+  return (
+    <>
+      {shapes.length > 0 && (
+        <g className="shape-marked">{shapes.map(({ role, d }) => <path key={role} className={`shape-${role}`} d={d} />)}</g>
+      )}
+      {contour.length > 0 && <path className="shape-marked-contour" d={segmentData(contour)} />}
+    </>
+  );
+}
+
+/** The move under the pointer; it changes without rendering the view. */
+export interface Hover {
+  readonly get: () => number | null;
+  readonly set: (step: number | null) => void;
+  readonly subscribe: (listener: () => void) => () => void;
+}
+
+/** A new one, over nothing. */
+export function createHover(): Hover {
+  const listeners = new Set<() => void>();
+  let over: number | null = null;
+  return {
+    get: () => over,
+    set(step) {
+      if (step === over) return;
+      over = step;
+      for (const listener of [...listeners]) listener();
+    },
+    subscribe(listener) {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+  };
+}
+
+/** The move that a press would choose. */
+export function HoveredMove({ run, hover }: { readonly run: Run; readonly hover: Hover }) {
+  const over = useSyncExternalStore(hover.subscribe, hover.get);
+  const step = over === null ? undefined : run.steps[over];
+  return step && <path className="shape-hovered" d={stretchData([step])} />;
+}

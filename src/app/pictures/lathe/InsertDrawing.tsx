@@ -1,0 +1,56 @@
+import { useId, useMemo } from "react";
+import { holderOutlines } from "../../../kernel/holder.ts";
+import { insertOutline } from "../../../kernel/insert.ts";
+import { CHORD } from "../../../kernel/tolerance.ts";
+import type { Tool } from "../../../kernel/tool.ts";
+import type { Bounds } from "../../../view/camera.ts";
+import { boundsOf, common, grownBounds, joined } from "../../../view/bounds.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { DrawnTool } from "./DrawnTool.tsx";
+import "./lathe.css";
+
+/** How much of the holder is drawn beside the insert, in lengths of the insert: the head and where the shank begins. */
+const BESIDE = 1.6;
+
+/** The box of a tool's insert with the near end of its holder. */
+export function heldBounds(tool: Tool): Bounds {
+  const insert = boundsOf(insertOutline(tool, CHORD)) ?? { left: -1, right: 1, low: -1, high: 1 };
+  const near = grownBounds(insert, BESIDE * Math.max(insert.right - insert.left, insert.high - insert.low));
+  return common(joined(insert, boundsOf(holderOutlines(tool).flat())) ?? insert, near);
+}
+
+/** A tool's insert (and holder, where the tool has one) to scale, Z to the right, X up, the theoretical tip as a small cross. */
+export function InsertDrawing({ tool, width = 48, height = 48, span, whole = false }: {
+  readonly tool: Tool;
+  /** Pixels. */
+  readonly width?: number;
+  readonly height?: number;
+  /** Millimetres that the drawing's smaller side stands for, for several tools in one scale; without it the insert fills the drawing. */
+  readonly span?: number;
+  /** The drawing frames the holder too, not the insert alone. */
+  readonly whole?: boolean;
+}) {
+  const t = useTexts().lathe, id = useId();
+  const box = useMemo(() => (whole ? heldBounds(tool) : boundsOf(insertOutline(tool, CHORD)) ?? { left: -1, right: 1, low: -1, high: 1 }), [
+    tool,
+    whole,
+  ]);
+  const wide = box.right - box.left, tall = box.high - box.low;
+  const scale = span ? Math.min(width, height) / span : Math.min((width - 8) / wide, (height - 8) / tall);
+  const x = width / 2 - ((box.left + box.right) / 2) * scale, y = height / 2 + ((box.low + box.high) / 2) * scale;
+  return (
+    <svg className="insert-drawing" role="img" aria-label={t.insert(String(tool.T))} width={width} height={height}
+      viewBox={`0 0 ${width} ${height}`}
+    >
+      <clipPath id={id}>
+        <rect width={width} height={height} />
+      </clipPath>
+      <g clipPath={`url(#${id})`}>
+        <g transform={`matrix(${scale} 0 0 ${-scale} ${x} ${y})`}>
+          <DrawnTool tool={tool} />
+        </g>
+        <path className="insert-tip" d={`M${x - 3} ${y}H${x + 3}M${x} ${y - 3}V${y + 3}`} />
+      </g>
+    </svg>
+  );
+}

@@ -1,0 +1,24 @@
+import { Suspense, useState } from "react";
+import type { Run } from "../../../program/run-types.ts";
+import { lazyPart } from "../../base/parts.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import type { PlaybackStore } from "../../calculation/playback-store.ts";
+
+/** Fetched when it is first unfolded. */
+const MoveRows = lazyPart(async () => ({ default: (await import("./MoveRows.tsx")).MoveRows }));
+
+/** All moves in words and numbers, folded until asked for. */
+export function MoveTable({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
+  const t = useTexts().lathe;
+  const [open, setOpen] = useState(false);
+  return (
+    <details className="lathe-moves" name="lathe-more" onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <summary>{t.moves(String(run.steps.length))}</summary>
+      {open && run.steps.length > 0 && (
+        <Suspense>
+          <MoveRows run={run} playback={playback} />
+        </Suspense>
+      )}
+    </details>
+  );
+}

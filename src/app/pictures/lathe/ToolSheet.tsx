@@ -1,0 +1,150 @@
+import { useCallback, useEffect, useMemo, useRef } from "react";
+import { insertOutline } from "../../../kernel/insert.ts";
+import type { Pt, Ring } from "../../../kernel/point.ts";
+import { CHORD, SAME_STEP } from "../../../kernel/tolerance.ts";
+import type { Tool } from "../../../kernel/tool.ts";
+import { boundsOf, common, grownBounds } from "../../../view/bounds.ts";
+import type { Bounds } from "../../../view/camera.ts";
+import { liesInward, windowsOf } from "../../../view/cutting-tool/covered.ts";
+import { toolBox } from "../../../view/cutting-tool/drawing.ts";
+import { liesBehind, silhouetteOf, type Silhouette } from "../../../view/cutting-tool/silhouette.ts";
+import type { SectionView } from "../../base/settings/settings.ts";
+import { BreakLine } from "./BreakLine.tsx";
+import { restingTip, runningTip, type Carrying } from "./carry.ts";
+import { TipCarrier } from "./TipCarrier.tsx";
+import { ChipSheet } from "./ChipSheet.tsx";
+import { DrawnTool } from "./DrawnTool.tsx";
+import { stepIndex, type Moving } from "../../calculation/moving.ts";
+import { usePlayback } from "./use-playback.ts";
+import type { Viewport } from "./viewport.ts";
+
+/** A step is nearly over: what it cuts is gone, and going on from there costs nothing anew. */
+const NEARLY = 1 - SAME_STEP;
+const NO_EDGE: Silhouette = [];
+/** Pixels round the drawing of a tool for its lines. */
+const LINE = 4;
+/** As much of a holder is drawn as fits into this many pictures. */
+const PICTURES = 1.5;
+
+/** The box of an insert and the one of the whole tool. */
+function boxesOf(tool: Tool): { readonly insert: Bounds; readonly all: Bounds } {
+  const insert = boundsOf(insertOutline(tool, CHORD)) ?? { left: -1, right: 1, low: -1, high: 1 };
+  return { insert, all: toolBox(tool) ?? insert };
+}
+
+/** Where a tool stands, and what tells of it. */
+interface Standing {
+  readonly viewport: Viewport;
+  readonly tool: Tool;
+  readonly carrying: Carrying;
+}
+
+/** A tool on a sheet no larger than itself, drawn anew for another tool or another zoom. */
+function Sheet({ viewport, tool }: Pick<Standing, "viewport" | "tool">) {
+  const sheet = useRef<SVGSVGElement>(null), world = useRef<SVGGElement>(null);
+  const boxes = useMemo(() => boxesOf(tool), [tool]);
+  useEffect(() => {
+    const element = sheet.current;
+    if (!element) return undefined;
+    let scale = 0, up: boolean | null = null;
+    const draw = () => {
+      const camera = viewport.drawn(), size = viewport.size();
+      if (camera.scale === scale && camera.xUp === up) return;
+      [scale, up] = [camera.scale, camera.xUp];
+      const far = (PICTURES * Math.max(size.width, size.height)) / scale;
+      const { left, right, low, high } = common(boxes.all, grownBounds(boxes.insert, far));
+      const top = up ? -high : low;
+      const corner = { x: left * scale - LINE, y: top * scale - LINE };
+      element.style.left = `${corner.x}px`;
+      element.style.top = `${corner.y}px`;
+      element.setAttribute("width", String(Math.ceil((right - left) * scale + 2 * LINE)));
+      element.setAttribute("height", String(Math.ceil((high - low) * scale + 2 * LINE)));
+      world.current?.setAttribute("transform", `matrix(${scale} 0 0 ${up ? -scale : scale} ${-corner.x} ${-corner.y})`);
+    };
+    draw();
+    return viewport.subscribe(draw);
+  }, [viewport, boxes]);
+  return (
+    <svg ref={sheet} className="tool-sheet">
+      <g ref={world}>
+        <DrawnTool tool={tool} />
+      </g>
+    </svg>
+  );
+}
+
+/** A tool that the work may cover: seen where the section is open and out of the work, or as edges behind it. */
+function CoveredTool({ section, edge, ...standing }: Standing & { readonly section: SectionView; readonly edge: () => Silhouette }) {
+  const silhouette = useMemo(() => edge(), [edge]);
+  const { viewport } = standing, seen = useRef<HTMLDivElement>(null), other = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const look = () => {
+      const windows = windowsOf(section, viewport.get(), viewport.size(), silhouette);
+      if (seen.current) seen.current.style.clipPath = windows?.seen ?? "";
+      if (!other.current) return;
+      other.current.style.clipPath = windows?.other ?? "";
+      other.current.style.display = windows ? "" : "none";
+    };
+    look();
+    return viewport.subscribe(look);
+  }, [viewport, section, silhouette]);
+  const drawn = (
+    <>
+      <TipCarrier {...standing}>
+        <Sheet {...standing} />
+      </TipCarrier>
+      <BreakLine {...standing} />
+    </>
+  );
+  return (
+    <>
+      <div ref={seen} className="tool-window">{drawn}</div>
+      <div ref={other} className={`tool-window${section === "outside" ? " behind" : ""}`}>{drawn}</div>
+    </>
+  );
+}
+
+/** A tool, and what is drawn over it at its tip: the work never covers that. */
+function StandingTool({ section, edge, children, ...standing }: Standing & {
+  readonly section: SectionView;
+  /** The edge of the work as it is seen; asked for only where the work may cover the tool. */
+  readonly edge: () => Silhouette;
+  readonly children?: React.ReactNode;
+}) {
+  const { tool } = standing, inward = useMemo(() => liesInward(tool), [tool]);
+  const covered = section === "outside" || (inward && section === "half");
+  return (
+    <>
+      {covered && <CoveredTool {...standing} section={section} edge={edge} />}
+      {(!covered || children) && <TipCarrier {...standing}>{!covered && <Sheet {...standing} />} {children}</TipCarrier>}
+      {!covered && <BreakLine {...standing} />}
+    </>
+  );
+}
+
+/** Insert and holder of the running move, with the chip that it takes. */
+export function RunningTool({ viewport, moving, section }: { readonly viewport: Viewport; readonly moving: Moving;
+  readonly section: SectionView })
+{
+  const { steps, playback, stockAt } = moving;
+  const index = usePlayback(playback, (store) => stepIndex(steps, store.shown()));
+  const carrying = useMemo(() => runningTip(steps, playback), [steps, playback]);
+  const edge = useCallback(() => {
+    const step = steps[index], silhouette = silhouetteOf(stockAt({ step: index, fraction: NEARLY }));
+    return step && liesBehind(step.tool, [step.from, step.move.to], silhouette) ? silhouette : NO_EDGE;
+  }, [steps, stockAt, index]);
+  const tool = steps[index]?.tool;
+  return tool && (
+    <StandingTool viewport={viewport} tool={tool} carrying={carrying} section={section} edge={edge}>
+      <ChipSheet viewport={viewport} moving={moving} />
+    </StandingTool>
+  );
+}
+
+/** The tool where it stands at the call of the cycle. */
+export function WaitingTool({ viewport, tool, at, blank, section }: { readonly viewport: Viewport; readonly tool: Tool; readonly at: Pt;
+  readonly blank: readonly Ring[]; readonly section: SectionView })
+{
+  const carrying = useMemo(() => restingTip(at), [at]), edge = useCallback(() => silhouetteOf(blank), [blank]);
+  return <StandingTool viewport={viewport} tool={tool} carrying={carrying} section={section} edge={edge} />;
+}

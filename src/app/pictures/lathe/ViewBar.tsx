@@ -1,0 +1,80 @@
+import { Toolbar } from "react-aria-components/Toolbar";
+import { changeSettings, SECTION_VIEWS, SHOWN_COLOURS, SHOWN_PATHS, useSettings } from "../../base/settings/settings.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { Glyph, type GlyphName } from "./Glyph.tsx";
+import { GlyphButton } from "./GlyphButton.tsx";
+import type { MeasuringShown } from "../measure/measuring.ts";
+import type { Viewport } from "./viewport.ts";
+
+/** Zoom per press. */
+export const ZOOM = 1.4;
+
+/** One of a few: a list with its word, or with its glyph alone where the bar has no room for words. */
+function Choice<Value extends string>({ name, glyph, value, all, words, quiet, onChoose }: {
+  readonly name: string;
+  readonly glyph?: GlyphName;
+  readonly value: Value;
+  readonly all: readonly Value[];
+  readonly words: Readonly<Record<Value, string>>;
+  /** What is nothing to call out. */
+  readonly quiet?: Value;
+  readonly onChoose: (value: Value) => void;
+}) {
+  return (
+    <label className={glyph ? "lathe-choice with-glyph" : "lathe-choice"}>
+      <span className="unseen">{name}</span>
+      {glyph && <Glyph name={glyph} />}
+      <select className="select" title={name} value={value} data-chosen={quiet !== undefined && value !== quiet}
+        onChange={({ target }) => onChoose(all.find((each) => each === target.value) ?? value)}
+      >
+        {all.map((each) => <option key={each} value={each}>{words[each]}</option>)}
+      </select>
+    </label>
+  );
+}
+
+/** How the picture is looked at: which section, X up or down, ruler, zoom and fit. */
+export function ViewBar({ viewport, measuring, onWhich, children }: {
+  readonly viewport: Viewport;
+  readonly measuring: MeasuringShown;
+  /** Asks which cycle makes the contour; null where there is none. */
+  readonly onWhich: (() => void) | null;
+  /** What stands between the switches and the zoom. */
+  readonly children: React.ReactNode;
+}) {
+  const t = useTexts().lathe, section = useSettings((s) => s.section), down = useSettings((s) => s.xDown);
+  const paths = useSettings((s) => s.paths), colours = useSettings((s) => s.colours), solid = useSettings((s) => s.solid);
+  return (
+    <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
+      <div className="lathe-choices">
+        <Choice name={t.sections.title} value={solid ? "solid" : section} all={[...SECTION_VIEWS, "solid"]} words={t.sections}
+          onChoose={(value) => changeSettings({ solid: value === "solid", ...(value !== "solid" && { section: value }) })} />
+        <Choice glyph="paths" name={t.paths.title} value={paths} all={SHOWN_PATHS} words={t.paths} quiet="all"
+          onChoose={(value) => changeSettings({ paths: value })} />
+        <Choice glyph="colours" name={t.colours.title} value={colours} all={SHOWN_COLOURS} words={t.colours} quiet="none"
+          onChoose={(value) => changeSettings({ colours: value })} />
+      </div>
+      <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} text={t.xDown} pressed={down}
+        onPress={() => changeSettings({ xDown: !down })} />
+      <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={measuring.toggle}
+        {...(solid && { hint: t.rulerFlat })} />
+      <GlyphButton glyph="which" name={t.which} disabled={onWhich === null} onPress={() => onWhich?.()} />
+      <div className="lathe-gap">
+        <div className="lathe-told">
+          {children}
+          <dl className="lathe-letters small soft">
+            {Object.entries(t.chip).map(([letter, means]) => (
+              <div key={letter}>
+                <dt className="number">{letter}</dt>
+                <dd>{means}</dd>
+              </div>
+            ))}
+          </dl>
+        </div>
+      </div>
+      <GlyphButton glyph="zoomOut" name={t.zoomOut} onPress={() => viewport.zoom(1 / ZOOM)} />
+      <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />
+      <GlyphButton glyph="fit" name={t.fit} onPress={viewport.fit} />
+    </Toolbar>
+  );
+}

@@ -1,0 +1,39 @@
+import { useEffect, useRef } from "react";
+import { sheetShift, type Camera, type Place } from "../../../view/camera.ts";
+import { transform } from "../../../view/svg.ts";
+import type { Viewport } from "./viewport.ts";
+
+const CORNER: Place = { x: 0, y: 0 };
+
+/** Lays a sheet that is drawn for a camera, its corner at a place of the picture, to where the picture looks now. */
+export function shiftSheet({ style }: ElementCSSInlineStyle, viewport: Viewport, { x, y } = CORNER, drawn = viewport.drawn()): void {
+  const now = viewport.get();
+  if (now === drawn) return void style.removeProperty("transform");
+  const shift = sheetShift(drawn, now);
+  style.transform = `translate(${shift.x + x * (shift.grown - 1)}px, ${shift.y + y * (shift.grown - 1)}px) scale(${shift.grown})`;
+}
+
+/**
+ * Follows the camera with one attribute: a group whose content is drawn in part space. `shifts`: the sheet that it is alone on goes along
+ * while a hand moves the picture, and is drawn anew when the hand rests.
+ */
+export function World({ viewport, shifts = false, children }: { readonly viewport: Viewport; readonly shifts?: boolean;
+  readonly children: React.ReactNode })
+{
+  const group = useRef<SVGGElement>(null);
+  useEffect(() => {
+    let laid: Camera | null = null;
+    const follow = () => {
+      const element = group.current, sheet = element?.ownerSVGElement, camera = shifts ? viewport.drawn() : viewport.get();
+      if (camera !== laid) {
+        element?.setAttribute("transform", transform(camera));
+        if (shifts) element?.classList.toggle("coarse", viewport.isCoarse());
+      }
+      laid = camera;
+      if (shifts && sheet) shiftSheet(sheet, viewport);
+    };
+    follow();
+    return viewport.subscribe(follow);
+  }, [viewport, shifts]);
+  return <g ref={group}>{children}</g>;
+}

@@ -1,0 +1,68 @@
+import { panned } from "../../../view/camera.ts";
+import type { Measuring } from "../measure/measuring.ts";
+import type { PlaybackStore } from "../../calculation/playback-store.ts";
+import { ZOOM } from "./ViewBar.tsx";
+import type { Viewport } from "./viewport.ts";
+
+/** One press of an arrow with Shift moves the picture by this much, pixels. */
+const PAN = 40;
+const PANS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [PAN, 0],
+  ArrowRight: [-PAN, 0],
+  ArrowUp: [0, PAN],
+  ArrowDown: [0, -PAN],
+};
+
+/** What a key press in the lathe view was typed into. */
+export interface Typed {
+  readonly key: string;
+  readonly shift: boolean;
+  /** Lower-case name of the element that has the focus. */
+  readonly element: string;
+  /** The focus lies in the picture itself. */
+  readonly picture: boolean;
+}
+
+/** Elements that need these keys for themselves. */
+const takes = ({ element, key }: Typed) =>
+  element === "select" || element === "textarea" || ((element === "button" || element === "summary") && (key === " " || key === "Enter"));
+
+/** Does what a key stands for; true when it did something. Ruler keys go first, then playback and zoom. */
+export function pressKey(typed: Typed, playback: PlaybackStore, viewport: Viewport, measuring: Measuring): boolean {
+  const { key, shift } = typed, pan = PANS[key];
+  if (takes(typed)) return false;
+  if (shift && pan && typed.picture) {
+    viewport.look(panned(viewport.get(), pan[0], pan[1]));
+    return true;
+  }
+  if ((typed.picture || key === "Escape" || (key.length === 1 && typed.element !== "input")) && measuring.key(key)) return true;
+  switch (key) {
+    case " ":
+      playback.dispatch({ do: "toggle" });
+      return true;
+    case "ArrowRight":
+      playback.dispatch({ do: "forward" });
+      return true;
+    case "ArrowLeft":
+      playback.dispatch({ do: "back" });
+      return true;
+    case "Home":
+      playback.dispatch({ do: "first" });
+      return true;
+    case "End":
+      playback.dispatch({ do: "last" });
+      return true;
+    case "+":
+    case "=":
+      viewport.zoom(ZOOM);
+      return true;
+    case "-":
+      viewport.zoom(1 / ZOOM);
+      return true;
+    case "0":
+      viewport.fit();
+      return true;
+    default:
+      return false;
+  }
+}

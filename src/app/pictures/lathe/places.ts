@@ -1,0 +1,47 @@
+import { useMemo } from "react";
+import type { Texts } from "../../../i18n/index.ts";
+import type { AnyIssue } from "../../../i18n/message-texts.ts";
+import type { Pt } from "../../../kernel/point.ts";
+import type { PlayPosition } from "../../../sim/simulation.ts";
+import type { Bounds } from "../../../view/camera.ts";
+import type { FindingEntry, FindingSpot } from "../../findings/entry.ts";
+import { useFindings } from "../../findings/use-findings.ts";
+import { useIssueText } from "../../calculation/issue-text.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+
+/** A finding of the list that is to be seen in the picture. */
+export interface LookAt {
+  readonly id: string;
+  /** "told": said by the learner, before anything was seen. */
+  readonly kind: FindingSpot["kind"] | "told";
+  /** Number of a finding, letter of a region that stays. */
+  readonly mark: string;
+  readonly place: Pt;
+  readonly bounds: Bounds;
+  /** What and where, in a sentence. */
+  readonly line: string;
+  /** The moment at which it is to be seen. */
+  readonly position: PlayPosition;
+  /** Null of what a task shows. */
+  readonly issue: AnyIssue | null;
+}
+
+/** A finding as a place of a picture; null where it has none there. `said`: what it says in words. */
+export function lookAtOf(
+  { id, issue, block, spot }: FindingEntry,
+  plane: FindingSpot["plane"],
+  { inBlock }: Pick<Texts["findings"], "inBlock">,
+  said: () => string,
+): LookAt | null {
+  if (spot?.plane !== plane) return null;
+  const { kind, mark, place, bounds, position } = spot;
+  return { id, kind, mark, place, bounds, line: block === null ? said() : `${said()} (${inBlock(String(block))})`, position, issue };
+}
+
+/** The findings that one of the two pictures shows, in the order of the list. */
+export function usePlaces(plane: FindingSpot["plane"]): readonly LookAt[] {
+  const entries = useFindings();
+  const say = useIssueText();
+  const t = useTexts().findings;
+  return useMemo(() => entries.flatMap((entry) => lookAtOf(entry, plane, t, () => say(entry.issue)) ?? []), [entries, plane, say, t]);
+}

@@ -1,0 +1,125 @@
+import { transfer, type Remote } from "comlink";
+import type { Step } from "../../../kernel/step.ts";
+import type { StockLook } from "../../../view/material/stock-painter.ts";
+import { secondsAt, type PlayedTrack } from "../../../view/playback.ts";
+import { dayMoment } from "../../base/clock.ts";
+import type { KnownOutcome } from "../../calculation/load-request.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import type { PlayedCourse, PlayedOn } from "../../calculation/played.ts";
+import type { Engine } from "../../calculation/worker.ts";
+import { askWorker } from "../../calculation/worker-life.ts";
+import { layOver } from "./fit-canvas.ts";
+import { isOnCourse, type PlayCourse } from "../../calculation/glide.ts";
+import type { PlaybackStore } from "../../calculation/playback-store.ts";
+
+/** The stock as the worker paints it while it plays, on a layer of its own over the one that the page paints. */
+export interface PlayedLayer<Look> {
+  /** Follows the playback; true while the layer shows the stock, so that the page need not. */
+  readonly follow: (look: () => Look) => boolean;
+  /** Shows nothing, until it is to follow again. */
+  readonly stop: () => void;
+  readonly canvas: () => HTMLCanvasElement | null;
+}
+
+/** A canvas whose content belongs to the worker, and its name there. */
+interface Layer {
+  readonly canvas: HTMLCanvasElement;
+  readonly name: string;
+  sent: boolean;
+}
+
+const layers = new WeakMap<HTMLElement, Layer>();
+let count = 0;
+
+function layerIn(holder: HTMLElement): Layer {
+  const known = layers.get(holder);
+  if (known) return known;
+  count += 1;
+  const canvas = document.createElement("canvas");
+  canvas.className = "sheet material";
+  canvas.style.visibility = "hidden";
+  holder.append(canvas);
+  const made = { canvas, name: `played ${count}`, sent: false };
+  layers.set(holder, made);
+  return made;
+}
+
+/** What the worker does not know, or cannot paint on, is left to the page. */
+function drop(holder: HTMLElement): void {
+  layers.get(holder)?.canvas.remove();
+  layers.delete(holder);
+}
+
+const canPaint = () => typeof HTMLCanvasElement !== "undefined" && "transferControlToOffscreen" in HTMLCanvasElement.prototype;
+
+/** The open work by its version, when it is the one whose steps are played: the worker has it. */
+export function knownOf(steps: readonly Step[]): KnownOutcome | null {
+  const { shown } = useOutcome.getState();
+  return shown?.run.steps === steps ? { version: shown.version, moves: steps.length } : null;
+}
+
+/** What plays, as the worker knows it: has it painted for a look. */
+export type PlayedByWorker<Look> = (engine: Remote<Engine>, on: PlayedOn, look: Look, course: PlayedCourse) => Promise<boolean>;
+
+async function ask<Look>(layer: Layer, play: PlayedByWorker<Look>, look: Look, course: PlayCourse): Promise<boolean> {
+  const canvas = layer.sent ? null : layer.canvas.transferControlToOffscreen();
+  layer.sent = true;
+  const on = canvas ? transfer({ name: layer.name, canvas }, [canvas]) : { name: layer.name, canvas };
+  const { from: seconds, rate } = course, since = dayMoment(course.since);
+  try {
+    return await askWorker((engine) => play(engine, on, look, { seconds, since, rate }));
+  } catch {
+    return false;
+  }
+}
+
+/** How the worker plays the turned steps of the open work; null where it does not know them. */
+export function playedSteps(steps: readonly Step[]): PlayedByWorker<StockLook> | null {
+  const of = knownOf(steps);
+  return of && ((engine, ...asked) => engine.play(of, ...asked));
+}
+
+/** A layer in an element of the page that follows a playback of what the worker knows. */
+export function playedLayer<Look extends Pick<StockLook, "origin">>(
+  holder: HTMLElement,
+  playback: PlaybackStore,
+  known: () => PlayedByWorker<Look> | null,
+): PlayedLayer<Look> {
+  let course: PlayCourse | null = null, state: "asked" | "shown" | "refused" = "asked", begun = 0;
+  const stop = () => {
+    if (!course) return;
+    course = null;
+    begun += 1;
+    const layer = layers.get(holder);
+    if (layer) layer.canvas.style.visibility = "hidden";
+    if (layer && state !== "refused") void askWorker((engine) => engine.stopPlaying()).catch(() => undefined);
+  };
+  const begin = async (play: PlayedByWorker<Look>, look: Look, next: PlayCourse) => {
+    if (state !== "shown" || !course) state = "asked";
+    course = next;
+    begun += 1;
+    const own = begun, layer = layerIn(holder);
+    layOver(layer.canvas, look.origin);
+    const isShown = await ask(layer, play, look, next);
+    if (own !== begun) return;
+    state = isShown ? "shown" : "refused";
+    if (isShown) layer.canvas.style.visibility = "";
+    else drop(holder);
+  };
+  return {
+    stop,
+    canvas: () => layers.get(holder)?.canvas ?? null,
+    follow(look) {
+      const now = playback.get(), since = playback.since(), play = since === null || !canPaint() ? null : known();
+      if (!play || since === null) {
+        stop();
+        return false;
+      }
+      if (!course || (state !== "refused" && !isOnCourse(course, now, since))) {
+        const track: PlayedTrack = now.track;
+        void begin(play, look(), { track, rate: now.rate, from: secondsAt(track, now.position), since });
+      }
+      return state === "shown";
+    },
+  };
+}

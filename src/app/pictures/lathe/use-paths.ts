@@ -1,0 +1,59 @@
+import { useMemo } from "react";
+import { markedBy, runningPart, type MoveSpan } from "../../../program/path-index.ts";
+import type { Run } from "../../../program/run-types.ts";
+import { MOST_STRETCHES, pathStretches, wholePath, type KnownLines, type PathStretch } from "../../../view/passes.ts";
+import type { Shape, TipWays } from "../../../view/scene.ts";
+import { whenRehearsed } from "../../calculation/page-plan.ts";
+import { useSettings } from "../../base/settings/settings.ts";
+import type { PlaybackStore } from "../../calculation/playback-store.ts";
+import { usePlayback } from "./use-playback.ts";
+
+/** The lines of the path that are shown, and which moves are among them. */
+export interface ShownPath {
+  readonly stretches: readonly PathStretch[];
+  readonly has: (step: number) => boolean;
+}
+
+const EVERY = () => true;
+const NONE: ShownPath = { stretches: [], has: () => false };
+
+const within = (stretches: readonly MoveSpan[]) => (step: number) => stretches.some(({ first, last }) => step >= first && step <= last);
+
+interface Passes {
+  readonly stretches: readonly PathStretch[];
+  readonly whole: readonly Shape[];
+  readonly ways: readonly TipWays[];
+}
+
+const known = new WeakMap<Run, Passes>();
+const lines: KnownLines = new WeakMap();
+
+/** The path of a run by its passes, and whole; made once of each run. */
+export function stretchesOf(run: Run): Passes {
+  const have = known.get(run);
+  if (have) return have;
+  const stretches = pathStretches(run.steps, 0, run.steps.length - 1, MOST_STRETCHES, lines),
+    made = { stretches, whole: wholePath(stretches), ways: stretches.flatMap((s) => s.ways) };
+  known.set(run, made);
+  return made;
+}
+
+// Lines of a long work that was planned at rest are there with its first key.
+whenRehearsed(stretchesOf);
+
+/** What the settings show of a run, `all` of whose passes are drawn: new lines only where another call, phase or pass begins. */
+export function useShownPath(run: Run, all: readonly PathStretch[], playback: PlaybackStore): ShownPath {
+  const asked = useSettings((s) => s.paths);
+  const running = usePlayback(playback, (store) => {
+    if (asked === "all" || asked === "none") return "";
+    return JSON.stringify(runningPart(run, store.get().position.step, asked));
+  });
+  return useMemo(() => {
+    if (asked === "none") return NONE;
+    if (asked === "all") return { stretches: all, has: EVERY };
+    const choice: ReturnType<typeof runningPart> = JSON.parse(running || "null");
+    if (!choice) return NONE;
+    const { stretches } = markedBy(run, choice), most = Math.max(1, Math.floor(MOST_STRETCHES / stretches.length));
+    return { stretches: stretches.flatMap(({ first, last }) => pathStretches(run.steps, first, last, most)), has: within(stretches) };
+  }, [asked, running, run, all]);
+}

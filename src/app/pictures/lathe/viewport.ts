@@ -1,0 +1,161 @@
+import type { Patch } from "../../../view/material/pen.ts";
+import { holds as holdsOnScreen } from "../../base/use-media.ts";
+import { pageUnit } from "../../base/unit.ts";
+import { fitted, seenFrom, turnedOver, zoomed, type Bounds, type Camera, type Margin, type Place, type Size } from "../../../view/camera.ts";
+
+/** Where the picture looks, shared by its layers. */
+export interface Viewport {
+  readonly get: () => Camera;
+  /**
+   * The camera that a drawing is drawn for. While a hand moves the picture it stays behind, and the drawing is only shifted to where the
+   * picture looks now; it catches up when the hand rests, or looks where nothing is drawn.
+   */
+  readonly drawn: () => Camera;
+  /**
+   * Pixels for each point of the page in a canvas that is painted for that camera. What has to be painted under a moving hand has one at
+   * most: a canvas is copied to be seen, and that of a fine screen is copied too long. At rest it is painted anew.
+   */
+  readonly ratio: () => number;
+  /** Drawn under a moving hand, to be drawn finely when it rests. */
+  readonly isCoarse: () => boolean;
+  readonly size: () => Size;
+  readonly subscribe: (listener: () => void) => () => void;
+  /** Looks elsewhere, by hand: from now on the picture is not fitted by itself. */
+  readonly look: (camera: Camera) => void;
+  readonly zoom: (factor: number, at?: Place) => void;
+  readonly fit: () => void;
+  /** Looks at a box with some room round it, by hand. */
+  readonly show: (bounds: Bounds) => void;
+  readonly setSize: (size: Size) => void;
+  /** What fitting shows. A picture that is still fitted follows, but not for every small change. */
+  readonly setBounds: (bounds: Bounds) => void;
+  readonly setXUp: (xUp: boolean) => void;
+}
+
+/** When the camera has rested so long, what was only shifted is drawn anew, ms. */
+const RESTS = 140;
+/** So much of its width and height lies ready on each side of a picture. */
+const AROUND = 0.2;
+/** Shifted pixels may grow so much; a hand that zooms out finds the next picture drawn for so much further out. */
+const GROWS = 2.2, AHEAD = 1.5;
+
+/** What is painted while a hand moves the picture has a pixel for each point at most, and no more of them than this. */
+const COARSE = 1, MOST_COARSE = 2_500_000;
+
+/** Every device has whole pixels for so many of the page. */
+const WHOLE = 4;
+
+/** The part of a picture that is drawn, with what lies ready round it, in its pixels. */
+export function drawnRoom({ width, height }: Size): Patch {
+  const beside = WHOLE * Math.round((AROUND * width) / WHOLE), over = WHOLE * Math.round((AROUND * height) / WHOLE);
+  return { x: -beside, y: -over, width: beside + width + beside, height: over + height + over };
+}
+
+/** Whether a drawing for one camera still does where another one looks. */
+function does(drawn: Camera, now: Camera, size: Size): boolean {
+  const room = drawnRoom(size), { from, to, grown } = seenFrom(drawn, now, size);
+  const isInside = from.x >= room.x && from.y >= room.y && to.x <= room.x + room.width && to.y <= room.y + room.height;
+  return drawn.xUp === now.xUp && grown <= GROWS && isInside;
+}
+
+/** Pixels for each point under a moving hand; whole parts of a pixel stay whole. */
+function coarseRatio(size: Size): number {
+  const { width, height } = drawnRoom(size), most = Math.sqrt(MOST_COARSE / (width * height));
+  return Math.min(COARSE, devicePixelRatio, Math.max(1, Math.floor(WHOLE * most)) / WHOLE);
+}
+
+const START: Bounds = { left: -80, right: 20, low: 0, high: 40 };
+
+/** Scales along two edges and buttons along the top need their room, units of the page. */
+function marginOf(size: Size): Margin {
+  const unit = pageUnit();
+  const { left, right, top, bottom } = size.width < 480 * unit || size.height < 300 * unit
+    ? { left: 50, right: 8, top: 14, bottom: 26 }
+    : { left: 60, right: holdsOnScreen("narrow") ? 64 : 20, top: 24, bottom: 40 };
+  return { left: left * unit, right: right * unit, top: top * unit, bottom: bottom * unit };
+}
+
+/** A fitted picture keeps its camera while the new box still fills most of it. */
+const FILLS = 0.6;
+
+/** Room round a place that is looked at, as a share of its size on each side. */
+const ROOM = 0.75;
+
+function withRoom({ left, right, low, high }: Bounds): Bounds {
+  const by = ROOM * Math.max(right - left, high - low);
+  return { left: left - by, right: right + by, low: low - by, high: high + by };
+}
+
+const holds = (outer: Bounds, inner: Bounds) =>
+  inner.left >= outer.left && inner.right <= outer.right && inner.low >= outer.low && inner.high <= outer.high;
+const measure = (b: Bounds) => Math.max(b.right - b.left, b.high - b.low);
+
+/** A new viewport that shows 100 mm of axis until it is told more. */
+export function createViewport(xUp: boolean): Viewport {
+  let size: Size = { width: 640, height: 400 };
+  let bounds = START;
+  let shown = START;
+  let byHand = false;
+  let camera = fitted(bounds, size, marginOf(size), xUp);
+  const listeners = new Set<() => void>();
+  let drawn = camera, isCoarse = false, rest: ReturnType<typeof setTimeout> | undefined;
+  const set = (next: Camera, stays: Camera | null = null) => {
+    clearTimeout(rest);
+    camera = next;
+    drawn = stays ?? next;
+    if (!stays) isCoarse = false;
+    for (const listener of [...listeners]) listener();
+  };
+  const setByHand = (next: Camera) => {
+    byHand = true;
+    const stays = does(drawn, next, size), middle = { x: size.width / 2, y: size.height / 2 };
+    if (!stays) isCoarse = true;
+    set(next, stays ? drawn : next.scale < camera.scale ? zoomed(next, 1 / AHEAD, middle) : next);
+    // What is drawn for a camera is told apart by it.
+    if (isCoarse || drawn !== camera) rest = setTimeout(() => set(isCoarse ? { ...camera } : camera), RESTS);
+  };
+  const refit = () => {
+    shown = bounds;
+    set(fitted(bounds, size, marginOf(size), camera.xUp));
+  };
+
+  return {
+    get: () => camera,
+    drawn: () => drawn,
+    isCoarse: () => isCoarse,
+    ratio: () => (isCoarse ? coarseRatio(size) : devicePixelRatio),
+    size: () => size,
+    subscribe(listener) {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+    look: setByHand,
+    zoom: (factor, at) => setByHand(zoomed(camera, factor, at ?? { x: size.width / 2, y: size.height / 2 })),
+    fit() {
+      byHand = false;
+      refit();
+    },
+    show(near) {
+      byHand = true;
+      set(fitted(withRoom(near), size, marginOf(size), camera.xUp));
+    },
+    setSize(next) {
+      if (next.width === size.width && next.height === size.height) return;
+      size = next;
+      if (byHand) set({ ...camera });
+      else refit();
+    },
+    setBounds(next) {
+      bounds = next;
+      if (!byHand && (!holds(shown, next) || measure(next) < FILLS * measure(shown))) refit();
+    },
+    setXUp(next) {
+      if (next === camera.xUp) return;
+      if (byHand) set(turnedOver(camera, size));
+      else {
+        camera = { ...camera, xUp: next };
+        refit();
+      }
+    },
+  };
+}

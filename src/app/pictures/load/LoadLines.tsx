@@ -1,0 +1,30 @@
+import { memo } from "react";
+import type { Run } from "../../../program/run-types.ts";
+import { useLoadDrawing } from "./use-drawing.ts";
+import type { Told } from "./use-load.ts";
+import "./load.css";
+
+export interface LoadLinesProps {
+  readonly of: Told;
+  readonly run: Run;
+  /** The moves that are there to be seen. */
+  readonly shown: (step: number) => boolean;
+}
+
+/** A line of a class: its colour and its width, or that no number is told of it. */
+export const toneClass = (tone: number | null) => (tone === null ? "load-untold" : `load-tone-${tone}`);
+
+/** What is told, in part space: one path a class over a rim that sets it off, however long the program. */
+export const LoadLines = memo(function LoadLines({ of, run, shown }: LoadLinesProps) {
+  const drawing = useLoadDrawing(run, of, shown);
+  return drawing && (
+    <g className="load-lines">
+      {drawing.lines.map(({ tone, limited, d }) => (
+        <g key={`${tone} ${limited}`} className={toneClass(tone)}>
+          <path className="load-rim" d={d} />
+          <path className={limited ? "load-line load-limited" : "load-line"} d={d} />
+        </g>
+      ))}
+    </g>
+  );
+});

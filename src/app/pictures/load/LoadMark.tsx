@@ -1,0 +1,35 @@
+import type { Run } from "../../../program/run-types.ts";
+import { textWidth } from "../../../view/help/labels.ts";
+import { useSeeing, type Seeing } from "../lathe/seeing.ts";
+import { useLengths } from "../../calculation/lengths.ts";
+import { useGreatest, useLoadTexts, loadValue, type Told } from "./use-load.ts";
+
+export interface LoadMarkProps {
+  readonly of: Told;
+  readonly run: Run;
+  readonly seeing: Seeing;
+}
+
+/** The mark of the worst place, pixels: its half size, and how far beside it the number stands. */
+const HALF = 9;
+const ASIDE = 14;
+/** Size of the number, and the ground round it, pixels. */
+const [TEXT, GROUND] = [12, 3];
+
+/** The worst place, marked and with its value. */
+export function LoadMark({ of, run, seeing }: LoadMarkProps) {
+  const t = useLoadTexts(), lengths = useLengths();
+  const seen = useSeeing(seeing), { width } = seen.size();
+  const { worst } = useGreatest(run, of) ?? {};
+  const at = worst && seen.at(worst.place);
+  if (!worst || !at) return null;
+  const { x, y } = at, isRight = x > width / 2, begin = isRight ? x - ASIDE : x + ASIDE;
+  const said = loadValue(t, lengths, of, worst.value), wide = textWidth(said, TEXT) + 2 * GROUND;
+  return (
+    <g className="load-mark" aria-hidden="true">
+      <path d={`M${x - HALF} ${y}L${x} ${y - HALF}L${x + HALF} ${y}L${x} ${y + HALF}Z`} />
+      <rect x={isRight ? begin + GROUND - wide : begin - GROUND} y={y - HALF - TEXT} width={wide} height={TEXT + 2 * GROUND} rx="3" />
+      <text x={begin} y={y - HALF} textAnchor={isRight ? "end" : "start"}>{said}</text>
+    </g>
+  );
+}

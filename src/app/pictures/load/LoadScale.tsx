@@ -1,0 +1,50 @@
+import { classesOf, classTone } from "../../../view/load/scale.ts";
+import type { LoadDrawing } from "../../../view/load/lines.ts";
+import { useLengths } from "../../calculation/lengths.ts";
+import { toneClass } from "./LoadLines.tsx";
+import { loadNumber, useLoadTexts, type Told } from "./use-load.ts";
+
+/** Length of a sample of a line, pixels. */
+const LONG = 34;
+
+function Sample({ tone, limited = false }: { readonly tone: number | null; readonly limited?: boolean }) {
+  return (
+    <svg width={LONG} height="10" aria-hidden="true" className={toneClass(tone)}>
+      <path className={limited ? "load-line load-limited" : "load-line"} d="M0 5H999" />
+    </svg>
+  );
+}
+
+/** The classes with their numbers, and what else lines mean that are there. */
+export function LoadScale({ of, drawing: { scale, lines } }: { readonly of: Told; readonly drawing: LoadDrawing }) {
+  const t = useLoadTexts(), lengths = useLengths(), unit = lengths.words(t.units[of]);
+  const bounds = scale.bounds.map((bound) => loadNumber(lengths, of, bound)), last = classesOf(scale) - 1;
+  // Each class is at least as wide as its number: those of an inch are long.
+  const minWidth = `${Math.max(...bounds.map((bound) => bound.length)) + 1}ch`, end = `${bounds[last + 1]} ${unit}`;
+  const limited = lines.find((line) => line.limited);
+  return (
+    <ul className="load-scale number" aria-label={t.scale}>
+      {Array.from({ length: last + 1 },
+        (_, i) => (
+          <li key={i} style={{ minWidth, ...(i === last && { marginRight: `${end.length + 1}ch` }) }}>
+            <Sample tone={classTone(scale, i)} />
+            <span className="unseen">{t.between(bounds[i] ?? "", bounds[i + 1] ?? "", unit)}</span>
+            <span aria-hidden="true" className="load-bound">{bounds[i]}</span>
+            {i === last && <span aria-hidden="true" className="load-bound load-last">{end}</span>}
+          </li>
+        ))}
+      {limited && (
+        <li className="load-word">
+          <Sample tone={limited.tone} limited />
+          {t.limited}
+        </li>
+      )}
+      {lines.some(({ tone }) => tone === null) && (
+        <li className="load-word">
+          <Sample tone={null} />
+          {t.notByNose}
+        </li>
+      )}
+    </ul>
+  );
+}

@@ -1,0 +1,115 @@
+import { useCallback, useEffect, useRef, useSyncExternalStore } from "react";
+import type { LoadTexts } from "../../../i18n/en/load.ts";
+import type { Lengths } from "../../../i18n/lengths.ts";
+import type { Pt } from "../../../kernel/point.ts";
+import type { Run } from "../../../program/run-types.ts";
+import type { PlayPosition } from "../../../sim/simulation.ts";
+import { stretchNear, stretchOfStep } from "../../../view/load/near.ts";
+import { rowAt } from "../../../view/load/values.ts";
+import { moveAt, positionNear } from "../../../view/pick.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import type { PlaybackStore } from "../../calculation/playback-store.ts";
+import { useEachReading } from "../lathe/use-playback.ts";
+import type { Viewport } from "../lathe/viewport.ts";
+import { useLengths } from "../../calculation/lengths.ts";
+import { goToLoad } from "./go.ts";
+import { LoadScale } from "./LoadScale.tsx";
+import { measureLoad, type MeasuredLoad } from "./load-store.ts";
+import type { Pointed } from "./pointed.ts";
+import { useLoadDrawing } from "./use-drawing.ts";
+import { loadPlaceText, rowText, stretchText, useGreatest, useLoadOf, useLoadTexts, useMeasuredRun, loadValue,
+  type Told } from "./use-load.ts";
+import "./load.css";
+
+export interface LoadStripProps {
+  readonly of: Told;
+  readonly run: Run;
+  readonly viewport: Viewport;
+  readonly playback: PlaybackStore;
+  readonly pointed: Pointed;
+  /** The moves that are there to be pointed at. */
+  readonly shown: (step: number) => boolean;
+}
+
+/** Values rest for so long before they are measured, ms: while somebody types, the path comes first. */
+const REST = 200;
+/** A pointer this near means a line, pixels. */
+const NEAR = 10;
+
+interface Asked {
+  readonly t: LoadTexts;
+  readonly lengths: Lengths;
+  readonly of: Told;
+  readonly load: MeasuredLoad;
+}
+
+/** What is told of a moment; empty where the tool cuts nothing. */
+function momentText({ t, lengths, of, load: { path, surface } }: Asked, position: PlayPosition): string {
+  if (of === "roughness") {
+    const stretch = surface && stretchOfStep(surface, position);
+    return stretch ? stretchText(t, lengths, stretch) : "";
+  }
+  const row = path && rowAt(path, position);
+  return path && row !== null ? rowText(t, lengths, of, path, row) : "";
+}
+
+/** What is told of a place under the pointer; empty where nothing lies there. */
+function pointedText(asked: Asked, run: Run, place: Pt, reach: number, shown: (step: number) => boolean): string {
+  const { t, lengths, of, load: { surface } } = asked;
+  if (of === "roughness") {
+    const stretch = surface && stretchNear(surface, place, reach);
+    return stretch ? stretchText(t, lengths, stretch) : "";
+  }
+  const step = moveAt(run.steps, place, reach, shown);
+  return step === null ? "" : momentText(asked, positionNear(run.steps, step, place));
+}
+
+/** Has what is told measured, a little after the run is proved. */
+function useMeasuring(run: Run, what: "surface" | "path"): void {
+  const isProved = useOutcome((s) => s.shown?.run === run);
+  useEffect(() => {
+    if (!isProved || run.steps.length === 0) return undefined;
+    const timer = setTimeout(() => void measureLoad(run, what), REST);
+    return () => clearTimeout(timer);
+  }, [run, what, isProved]);
+}
+
+/** The scale of what is told by colour, its value where the tool or the pointer is, and the worst place. */
+export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadStripProps) {
+  const t = useLoadTexts(), lengths = useLengths();
+  useMeasuring(run, of === "roughness" ? "surface" : "path");
+  const load = useLoadOf(run), told = useMeasuredRun(run), isOld = told !== run;
+  const drawing = useLoadDrawing(told, of), worst = useGreatest(told, of)?.worst ?? null;
+  const place = useSyncExternalStore(pointed.subscribe, pointed.get);
+  const here = place && load ? pointedText({ t, lengths, of, load }, run, place, NEAR / viewport.get().scale, shown) : "";
+  const now = useRef<HTMLSpanElement>(null);
+  useEachReading(playback, useCallback(() => {
+    const said = (load && momentText({ t, lengths, of, load }, playback.shown())) || "–";
+    if (now.current && now.current.textContent !== said) now.current.textContent = said;
+  }, [t, lengths, of, load, playback]));
+  const rests = worst ? "" : t.nothing;
+  const waits = drawing && !isOld ? rests : load?.failed ? t.failed : t.working;
+  return (
+    <section className="load-strip" data-old={isOld} aria-label={t.names[of]}>
+      <p className="load-title">
+        <b>{t.names[of]}</b> <span className="soft small">{lengths.words(t.abouts[of])}</span>
+      </p>
+      {drawing && worst && <LoadScale of={of} drawing={drawing} />}
+      {waits !== "" && <p role="status" className="soft">{waits}</p>}
+      <p className="load-now">
+        <span className="soft small">{here === "" ? t.now : t.here}</span>
+        <span ref={now} className="number" hidden={here !== ""} />
+        {here !== "" && <span className="number">{here}</span>}
+      </p>
+      {worst && (
+        <p className="load-worst">
+          <span className="soft small">{worst.limited && of === "speed" ? t.least : t.greatest}</span>
+          <span className="number">
+            <b>{loadValue(t, lengths, of, worst.value)}</b> <span className="load-place">{loadPlaceText(t, lengths, worst)}</span>
+          </span>
+          <button type="button" className="button" disabled={isOld} onClick={() => goToLoad(playback, worst)}>{t.go}</button>
+        </p>
+      )}
+    </section>
+  );
+}

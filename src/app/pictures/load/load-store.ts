@@ -1,0 +1,48 @@
+import { create } from "zustand";
+import type { Run } from "../../../program/run-types.ts";
+import type { PathLoad } from "../../../sim/load/along.ts";
+import type { RoughStretch } from "../../../sim/load/roughness.ts";
+import { loadRequestOf, type KnownOutcome, type LoadRequest } from "../../calculation/load-request.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import { askAgain } from "../../calculation/worker-life.ts";
+
+/** What was measured of a run, as far as it was asked. */
+export interface MeasuredLoad {
+  readonly run: Run | null;
+  readonly path: PathLoad | null;
+  readonly surface: readonly RoughStretch[] | null;
+  /** The last question had no answer. */
+  readonly failed: boolean;
+}
+
+const NONE: MeasuredLoad = { run: null, path: null, surface: null, failed: false };
+export const useMeasuredLoad = create<MeasuredLoad>(() => NONE);
+
+const put = (run: Run, found: Partial<MeasuredLoad>): void =>
+  useMeasuredLoad.setState((known) => ({ ...(known.run === run ? known : { ...NONE, run }), failed: false, ...found }));
+
+/** Asks by the number of the outcome; where the worker does not have it any more, all of it is sent. */
+async function answerTo<T>(run: Run, question: (of: KnownOutcome | LoadRequest) => Promise<T | null>): Promise<T | null> {
+  const { shown } = useOutcome.getState();
+  if (shown?.run !== run) return null;
+  const known = { version: shown.version, moves: run.steps.length };
+  const has = await askAgain((engine) => engine.knows(known));
+  return question(has ? known : loadRequestOf(shown));
+}
+
+/** Has a run measured, unless that is known: its surface, or what its tools bear along the path. */
+export async function measureLoad(run: Run, what: "surface" | "path"): Promise<void> {
+  const known = useMeasuredLoad.getState();
+  if (known.run === run && known[what]) return;
+  try {
+    if (what === "surface") {
+      const surface = await answerTo(run, (of) => askAgain((engine) => engine.roughness(of)));
+      if (surface) put(run, { surface });
+    } else {
+      const path = await answerTo(run, (of) => askAgain((engine) => engine.pathLoad(of)));
+      if (path) put(run, { path });
+    }
+  } catch {
+    put(run, { failed: true });
+  }
+}

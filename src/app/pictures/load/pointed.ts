@@ -1,0 +1,26 @@
+import type { Pt } from "../../../kernel/point.ts";
+
+/** A place of the work under the pointer; it changes without rendering the view. */
+export interface Pointed {
+  readonly get: () => Pt | null;
+  readonly set: (place: Pt | null) => void;
+  readonly subscribe: (listener: () => void) => () => void;
+}
+
+/** A new one, nowhere. */
+export function createPointed(): Pointed {
+  const listeners = new Set<() => void>();
+  let place: Pt | null = null;
+  return {
+    get: () => place,
+    set(next) {
+      if (next === place) return;
+      place = next;
+      for (const listener of [...listeners]) listener();
+    },
+    subscribe(listener) {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+  };
+}

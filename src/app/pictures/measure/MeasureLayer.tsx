@@ -1,0 +1,131 @@
+import { useEffect, useEffectEvent, useLayoutEffect, useMemo, useState } from "react";
+import { useStore } from "zustand";
+import type { MeasuredPlace } from "../../../kernel/measured.ts";
+import { part } from "../../../kernel/point.ts";
+import { toScreen, type Camera } from "../../../view/camera.ts";
+import type { LabelBox } from "../../../view/help/labels.ts";
+import { polyline } from "../../../view/help/marks.ts";
+import { standingMeasurements } from "../../../view/measure/layout.ts";
+import { onSide, halfOf } from "../../../view/measure/snap.ts";
+import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";
+import { useCamera } from "../lathe/use-camera.ts";
+import type { Viewport } from "../lathe/viewport.ts";
+import { useLengths } from "../../calculation/lengths.ts";
+import { usePageUnit } from "../../base/unit.ts";
+import { useMedia } from "../../base/use-media.ts";
+import { MeasuredLabels, type Moved } from "./MeasuredLabels.tsx";
+import { MeasurePanel } from "./MeasurePanel.tsx";
+import { measurementWords, useMeasureTexts } from "./measure-words.ts";
+import { measureHand } from "./hand.ts";
+import type { Measuring, MeasureState } from "./measuring.ts";
+import { useReadings } from "./readings.ts";
+import type { MeasureSource } from "./source.ts";
+import "./measure.css";
+
+/** Half the size of a mark, and how far beside it its name stands, pixels. */
+const MARK = 5, CROSS = 12, ASIDE = 10;
+/** Nearer to the right edge its name stands on the left of a mark, pixels. */
+const ROOM = 150;
+
+const marks: Readonly<Record<MeasuredPlace["spot"], string>> = {
+  corner: `M${-MARK} ${-MARK}H${MARK}V${MARK}H${-MARK}Z`,
+  centre: `M${-MARK} 0a${MARK} ${MARK} 0 1 1 ${2 * MARK} 0a${MARK} ${MARK} 0 1 1 ${-2 * MARK} 0Z`,
+  edge: `M${-MARK} ${-MARK}L${MARK} ${MARK}M${-MARK} ${MARK}L${MARK} ${-MARK}`,
+  path: `M0 ${-MARK}L${MARK} 0L0 ${MARK}L${-MARK} 0Z`,
+  free: "",
+};
+
+/** The edge that the cross has hold of, within half a pixel. */
+function heldEdge({ edge, at: p }: MeasuredPlace, camera: Camera, isTurned: boolean): string {
+  if (!edge) return "";
+  const side = halfOf({ isTurned }, p);
+  return polyline(part.flattened(edge.segment, 0.5 / camera.scale).map((each) => toScreen(camera, onSide(each, side))));
+}
+
+/** Cross, what it has hold of, and the first place. */
+function Cross({ state: { cross, first }, camera, width, isTurned }: {
+  readonly state: MeasureState;
+  readonly camera: Camera;
+  /** Of the picture. */
+  readonly width: number;
+  readonly isTurned: boolean;
+}) {
+  const t = useMeasureTexts(), c = cross && toScreen(camera, cross.at), a = first && toScreen(camera, first.at);
+  const name = cross
+    ? [t.spots[cross.spot], ...(cross.edge ? [t.owners[cross.edge.of]] : [])].filter((each) => each !== "").join(" · ")
+    : "";
+  const isFar = c !== null && c.x > width - ROOM;
+  return (
+    <g className="measure-cross">
+      {first && <path className="measure-edge" d={heldEdge(first, camera, isTurned)} />}
+      {cross && <path className="measure-edge" d={heldEdge(cross, camera, isTurned)} />}
+      {a && c && <path className="measure-way" d={polyline([a, c])} />}
+      {a && <circle cx={a.x} cy={a.y} r="4" />}
+      {cross && c && (
+        <g transform={`translate(${c.x} ${c.y})`}>
+          <path className="cross" d={`M${-CROSS} 0H${CROSS}M0 ${-CROSS}V${CROSS}`} />
+          <path className="mark" d={marks[cross.spot]} />
+          <text x={isFar ? -ASIDE : ASIDE} y={-ASIDE} textAnchor={isFar ? "end" : "start"}>{name}</text>
+        </g>
+      )}
+    </g>
+  );
+}
+
+/** Room round the texts, units of the page. */
+const AIR = 6;
+
+/** What was measured in a picture, as dimensions over it, and the tools while it measures. */
+export function MeasureLayer({ viewport, measuring, source }: { readonly viewport: Viewport; readonly measuring: Measuring;
+  readonly source: MeasureSource })
+{
+  const t = useMeasureTexts(), lengths = useLengths(), unit = usePageUnit(), isNarrow = useMedia("narrow");
+  const camera = useCamera(viewport), size = viewport.size();
+  const readings = useReadings(source), state = useStore(measuring.state);
+  const sourceNow = useEffectEvent(() => source), textsNow = useEffectEvent(() => t);
+  // Before the tools are seen: whoever sees them presses their keys.
+  useLayoutEffect(() => measuring.serve(measureHand(measuring, { viewport, source: () => sourceNow(), texts: () => textsNow() })), [
+    measuring,
+    viewport,
+  ]);
+  const [moved, move] = useState<Moved | null>(null), [panel, keep] = useState<LabelBox | null>(null);
+  const isTurned = source.plane === "ZX";
+  const words = useMemo(() => new Map(readings.map((each) => [each.measurement.id, measurementWords(t, lengths, each)])), [
+    readings,
+    t,
+    lengths,
+  ]);
+  const standing = useMemo(() => {
+    const edges = {
+      left: (SCALE_LEFT + AIR) * unit,
+      right: (isNarrow ? 56 : AIR) * unit,
+      top: AIR * unit,
+      bottom: (SCALE_BELOW + AIR) * unit,
+    };
+    const paper = { camera, unit, size, edges, kept: panel && state.on ? [panel] : [] };
+    return standingMeasurements(paper, readings.map(({ measurement: { id, text }, figure }) => {
+      const put = moved?.id === id ? moved.to : text, said = words.get(id);
+      return { id, figure, text: said?.text ?? "", caption: said?.caption ?? "", ...(put && { put }) };
+    }));
+  }, [camera, unit, size, isNarrow, panel, state.on, readings, words, moved]);
+  useEffect(() => {
+    measuring.labels.setState(standing.map(({ box }) => box), true);
+    return () => measuring.labels.setState([], true);
+  }, [measuring, standing]);
+  const old = new Set(readings.flatMap(({ isOld, measurement: { id } }) => (isOld ? [id] : [])));
+  return (
+    <>
+      <svg className="sheet measure-sheet" aria-hidden="true">
+        {standing.map(({ id, lines, arrows }) => (
+          <g key={id} className={old.has(id) ? "measured old" : "measured"}>
+            <path className="line" d={lines} />
+            <path className="arrow" d={arrows} />
+          </g>
+        ))}
+        {state.on && <Cross state={state} camera={camera} width={size.width} isTurned={isTurned} />}
+      </svg>
+      <MeasuredLabels standing={standing} words={words} old={old} camera={camera} moved={moved} move={move} />
+      {state.on && <MeasurePanel measuring={measuring} source={source} state={state} readings={readings} words={words} kept={keep} />}
+    </>
+  );
+}

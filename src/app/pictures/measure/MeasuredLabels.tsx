@@ -1,0 +1,103 @@
+import { useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
+import type { Pt } from "../../../kernel/point.ts";
+import { toPlace, type Camera, type Place } from "../../../view/camera.ts";
+import type { StandingMeasurement } from "../../../view/measure/layout.ts";
+import { setMeasured } from "../../document/edits.ts";
+import { Icon } from "../../base/Icon.tsx";
+import { useMeasureTexts, type MeasurementWords } from "./measure-words.ts";
+
+/** A text on its way to another place. */
+export interface Moved {
+  readonly id: string;
+  readonly to: Pt;
+}
+
+/** A press that moves less than this is no drag; one arrow key moves by this much; pixels. */
+const TAP = 4, STEP = 8;
+const ARROWS: Readonly<Record<string, Place>> = {
+  ArrowLeft: { x: -STEP, y: 0 },
+  ArrowRight: { x: STEP, y: 0 },
+  ArrowUp: { x: 0, y: -STEP },
+  ArrowDown: { x: 0, y: STEP },
+};
+
+const put = ({ id, to }: Moved): void =>
+  setMeasured((list) => list.map((each) => (each.id === id ? { ...each, text: to } : each)), `measured ${id}`);
+/** Takes a measurement off the picture. */
+export const removeMeasurement = (id: string): void => setMeasured((list) => list.filter((each) => each.id !== id));
+
+/** The text of one measurement: it is dragged to where it reads best, and taken away. */
+function MeasuredLabel({ standing: { id, text, caption, middle, box }, name, isOld, camera, isMoving, move }: {
+  readonly standing: StandingMeasurement;
+  readonly name: string;
+  readonly isOld: boolean;
+  readonly camera: Camera;
+  readonly isMoving: boolean;
+  readonly move: (moved: Moved | null) => void;
+}) {
+  const t = useMeasureTexts(), [open, show] = useState(false);
+  const drag = useRef<{ readonly from: Place; readonly middle: Place; last: Pt | null } | null>(null);
+  const press = (event: PointerEvent<HTMLButtonElement>) => {
+    if (event.button !== 0) return;
+    event.currentTarget.setPointerCapture(event.pointerId);
+    drag.current = { from: { x: event.clientX, y: event.clientY }, middle, last: null };
+  };
+  const follow = (event: PointerEvent) => {
+    const now = drag.current;
+    if (!now) return;
+    const by = { x: event.clientX - now.from.x, y: event.clientY - now.from.y };
+    if (!now.last && Math.hypot(by.x, by.y) < TAP) return;
+    now.last = toPlace(camera, { x: now.middle.x + by.x, y: now.middle.y + by.y });
+    move({ id, to: now.last });
+  };
+  const release = (event: PointerEvent) => {
+    const last = drag.current?.last ?? null;
+    drag.current = null;
+    if (last && event.type === "pointerup") put({ id, to: last });
+    else if (event.type === "pointerup") show(!open);
+    move(null);
+  };
+  const key = (event: KeyboardEvent) => {
+    const arrow = ARROWS[event.key];
+    if (arrow) put({ id, to: toPlace(camera, { x: middle.x + arrow.x, y: middle.y + arrow.y }) });
+    else if (event.key === "Delete" || event.key === "Backspace") removeMeasurement(id);
+    else if (event.key === "Enter" || event.key === " ") show(!open);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  return (
+    <div className={isOld ? "measured-label old" : "measured-label"} data-moving={isMoving || undefined}
+      style={{ left: middle.x, top: middle.y, minWidth: box.width, minHeight: box.height }}
+    >
+      <button type="button" className="measured-text number" aria-label={name} title={t.label} aria-expanded={open} onPointerDown={press}
+        onPointerMove={follow} onPointerUp={release} onPointerCancel={release} onKeyDown={key}
+      >
+        {text}
+        {caption && <span className="measured-caption">{caption}</span>}
+      </button>
+      {open && (
+        <button type="button" className="button icon measured-remove" aria-label={t.remove(name)} title={t.remove(name)} onClick={() =>
+          removeMeasurement(id)}
+        >
+          <Icon name="close" />
+        </button>
+      )}
+    </div>
+  );
+}
+
+/** The texts of all measurements of a picture. */
+export function MeasuredLabels({ standing, words, old, camera, moved, move }: { readonly standing: readonly StandingMeasurement[];
+  readonly words: ReadonlyMap<string, MeasurementWords>; readonly old: ReadonlySet<string>; readonly camera: Camera;
+  readonly moved: Moved | null; readonly move: (moved: Moved | null) => void })
+{
+  return (
+    <>
+      {standing.map((each) => (
+        <MeasuredLabel key={each.id} standing={each} name={words.get(each.id)?.name ?? each.text} isOld={old.has(each.id)} camera={camera}
+          isMoving={moved?.id === each.id} move={move} />
+      ))}
+    </>
+  );
+}

@@ -1,0 +1,55 @@
+import type { MeasureTexts } from "../../../i18n/en/measure.ts";
+import type { Lengths } from "../../../i18n/lengths.ts";
+import { formatFixed } from "../../../i18n/number.ts";
+import { loadMeasure } from "../../../i18n/load-measure.ts";
+import type { MeasuredKind, MeasuredMoment } from "../../../kernel/measured.ts";
+import { INCH } from "../../../kernel/units.ts";
+import type { MeasurementNow } from "../../../view/measure/reading.ts";
+import { laterTexts } from "../../base/settings/later-texts.ts";
+
+/** The texts of measuring, in the screen language. */
+export const { useThem: useMeasureTexts } = laterTexts(loadMeasure);
+
+/** A measured value as the control writes numbers: ⌀42.000, 35.000, R1.500, 30.000°. */
+export function gaugedText(lengths: Lengths, kind: MeasuredKind, value: number): string {
+  if (kind === "angle") return `${formatFixed(lengths.language, value, 3)}°`;
+  return `${kind === "diameter" ? "⌀" : kind === "radius" ? "R" : ""}${lengths.fixed(value, 3)}`;
+}
+
+/** A length in the other unit, inches or millimetres; empty for an angle. */
+export function otherText(t: MeasureTexts, { language, unit }: Lengths, kind: MeasuredKind, value: number): string {
+  if (kind === "angle") return "";
+  return unit === "mm" ? t.inch(formatFixed(language, value / INCH, 4)) : `${formatFixed(language, value, 3)} mm`;
+}
+
+/** Which moment's stock was measured. */
+export function stockMomentText(t: MeasureTexts, { block, pass }: MeasuredMoment): string {
+  if (block === undefined) return t.atEnd;
+  return pass === undefined ? t.moment(String(block)) : t.momentPass(String(block), String(pass));
+}
+
+/** What is said of a measurement. */
+export interface MeasurementWords {
+  readonly text: string;
+  /** Under the text: its moment, or that it is old; empty where neither is to be said. */
+  readonly caption: string;
+  /** All of it in one line. */
+  readonly name: string;
+}
+
+/** A measurement in words and numbers of the screen language. */
+export function measurementWords(
+  t: MeasureTexts,
+  lengths: Lengths,
+  { measurement: { kind, moment, places }, value, isOld }: MeasurementNow,
+): MeasurementWords {
+  const text = gaugedText(lengths, kind, value);
+  const when = moment ? stockMomentText(t, moment) : "";
+  const owners = [...new Set(places.flatMap(({ edge }) => (edge && edge.of !== "stock" ? [t.owners[edge.of]] : [])))];
+  const caption = isOld ? t.old : moment?.block === undefined ? "" : when;
+  return {
+    text,
+    caption,
+    name: [`${t.kinds[kind]} ${text}`, ...owners, when, ...(isOld ? [t.old] : [])].filter((each) => each !== "").join(", "),
+  };
+}

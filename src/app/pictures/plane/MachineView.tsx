@@ -1,0 +1,59 @@
+import { Suspense, useEffect, type ComponentProps } from "react";
+import type { Run } from "../../../program/run-types.ts";
+import { useChosen } from "../../document/chosen.ts";
+import { useFindings } from "../../findings/use-findings.ts";
+import { LatheView } from "../lathe/LatheView.tsx";
+import type { PlaybackStore } from "../../calculation/playback-store.ts";
+import { lazyPart } from "../../base/parts.ts";
+import { fetchAtRest } from "../../base/rest.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { followProgramSides, showSide, showsPlane, switchSide, useAskedView } from "./shown-view.ts";
+import "./approach.css";
+
+const fetchPlane = async () => ({ default: (await import("./PlaneView.tsx")).PlaneView });
+/** Fetched for a program that mills. */
+const PlaneView = lazyPart(fetchPlane);
+
+/** The picture goes along with what is chosen in the list of findings, and with what is played. */
+function useSides(run: Run | null, playback: PlaybackStore): void {
+  const { id, count, shown } = useChosen(), entries = useFindings();
+  const plane = count > shown ? entries.find((entry) => entry.id === id)?.spot?.plane : undefined;
+  useEffect(() => {
+    if (run && plane !== undefined) showSide(run, playback, plane === "XY" ? "plane" : "lathe");
+  }, [run, playback, plane, count]);
+  useEffect(() => (run && run.plane.length > 0 && run.steps.length > 0 ? followProgramSides(run, playback) : undefined), [run, playback]);
+}
+
+/** What a program does: the lathe, or the working plane where it mills. A program with both has a switch. */
+export function MachineView(props: ComponentProps<typeof LatheView>) {
+  const t = useTexts();
+  const asked = useAskedView((v) => v.asked);
+  const { result, dimmed, playback, clock, onMove } = props;
+  const run = result?.run;
+  useSides(run ?? null, playback);
+  const plane = result !== null && showsPlane(result.run, asked);
+  const both = run !== undefined && run.plane.length > 0 && run.steps.length > 0;
+  // Playing goes over to it without a word: what is milled would be over before it is here.
+  useEffect(() => (both ? fetchAtRest(fetchPlane) : undefined), [both]);
+  return (
+    <div className="machine-view">
+      {both && (
+        <div className="machine-switch" role="group" aria-label={t.lathe.viewTools}>
+          <button type="button" className="button" aria-pressed={!plane} onClick={() => switchSide(run, playback, "lathe")}>
+            {t.lathe.title}
+          </button>
+          <button type="button" className="button" aria-pressed={plane} onClick={() => switchSide(run, playback, "plane")}>
+            {t.approach.view}
+          </button>
+        </div>
+      )}
+      {plane
+        ? (
+          <Suspense>
+            <PlaneView result={result} dimmed={dimmed} playback={playback} clock={clock} onMove={onMove} />
+          </Suspense>
+        )
+        : <LatheView {...props} />}
+    </div>
+  );
+}

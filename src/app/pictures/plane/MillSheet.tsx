@@ -1,0 +1,70 @@
+import { useCallback, useEffect, useMemo, useRef } from "react";
+import { partPoint } from "../../../kernel/plane.ts";
+import type { PlaneStep } from "../../../program/plane-types.ts";
+import { planeMotionData } from "../../../view/approach/motion-data.ts";
+import { spotAt } from "../../../view/approach/plane-scene.ts";
+import { movingTip } from "../lathe/carry.ts";
+import { TipCarrier } from "../lathe/TipCarrier.tsx";
+import type { PlaybackStore } from "../../calculation/playback-store.ts";
+import { useEachReading, usePlayback } from "../lathe/use-playback.ts";
+import type { Viewport } from "../lathe/viewport.ts";
+
+interface Milling {
+  readonly steps: readonly PlaneStep[];
+  readonly playback: PlaybackStore;
+}
+
+/** Pixels round the circle for its line, and the arms of the cross in its centre. */
+const LINE = 4, CROSS = 6;
+
+/** The motion that is shown: at the end the last one. */
+const shownMotion = (steps: readonly PlaneStep[], playback: PlaybackStore) => steps[Math.min(playback.shown().step, steps.length - 1)];
+
+/** The mill from above on a sheet no larger than itself: drawn anew for another radius or another zoom, else only carried. */
+export function MillSheet({ viewport, steps, playback }: Milling & { readonly viewport: Viewport }) {
+  const sheet = useRef<SVGSVGElement>(null), body = useRef<SVGCircleElement>(null);
+  const radius = usePlayback(playback, () => shownMotion(steps, playback)?.radius ?? null);
+  const carrying = useMemo(() =>
+    movingTip(playback, ({ step, fraction }) => {
+      const at = spotAt(steps, step, fraction);
+      return at && partPoint(at);
+    }, (step) => steps[step]?.kind === "arc"), [steps, playback]);
+  useEffect(() => {
+    const element = sheet.current;
+    if (!element || radius === null) return undefined;
+    let drawn = NaN;
+    const draw = () => {
+      const { scale } = viewport.drawn();
+      if (scale === drawn) return;
+      drawn = scale;
+      const half = Math.ceil(Math.max(radius * scale, CROSS) + LINE);
+      element.style.left = element.style.top = `${-half}px`;
+      element.setAttribute("width", String(2 * half));
+      element.setAttribute("height", String(2 * half));
+      element.setAttribute("viewBox", `${-half} ${-half} ${2 * half} ${2 * half}`);
+      body.current?.setAttribute("r", String(radius * scale));
+    };
+    draw();
+    return viewport.subscribe(draw);
+  }, [viewport, radius]);
+  return radius !== null && (
+    <TipCarrier viewport={viewport} carrying={carrying}>
+      <svg ref={sheet} className="tool-sheet">
+        <circle ref={body} className="plane-mill" r="0" />
+        <path className="plane-mill-centre" d={`M${-CROSS} 0H${CROSS}M0 ${-CROSS}V${CROSS}`} />
+      </svg>
+    </TipCarrier>
+  );
+}
+
+/** The running motion in its own strength; while it plays it is told no oftener than it can be read. */
+export function RunningMotion({ steps, playback }: Milling) {
+  const running = useRef<SVGPathElement>(null), drawn = useRef<PlaneStep | null>(null);
+  useEachReading(playback, useCallback(() => {
+    const motion = shownMotion(steps, playback);
+    if (!motion || drawn.current === motion) return;
+    running.current?.setAttribute("d", planeMotionData(motion));
+    drawn.current = motion;
+  }, [steps, playback]));
+  return <path ref={running} className="shape-running" />;
+}

@@ -1,0 +1,24 @@
+import { useMemo, useSyncExternalStore } from "react";
+import { wayOf } from "../../../kernel/mill-motion.ts";
+import { partSegment } from "../../../kernel/plane.ts";
+import type { Run } from "../../../program/run-types.ts";
+import { planeMotionData } from "../../../view/approach/motion-data.ts";
+import { segmentData } from "../../../view/path.ts";
+import type { Hover } from "../lathe/Chosen.tsx";
+import { useMilledMarks } from "../selection.ts";
+
+/** The milled motions of what is chosen, over the path. */
+export function ChosenMotions({ run }: { readonly run: Run }) {
+  const stretches = useMilledMarks(run);
+  const d = useMemo(
+    () => stretches.map(({ first, last }) => segmentData(run.plane.slice(first, last + 1).map((m) => partSegment(wayOf(m))))).join(""),
+    [stretches, run],
+  );
+  return d && <path className="shape-marked" d={d} />;
+}
+
+/** The motion that a press would choose. */
+export function HoveredMotion({ run, hover }: { readonly run: Run; readonly hover: Hover }) {
+  const over = useSyncExternalStore(hover.subscribe, hover.get), motion = over === null ? undefined : run.plane[over];
+  return motion && <path className="shape-hovered" d={planeMotionData(motion)} />;
+}

@@ -1,0 +1,75 @@
+import { memo } from "react";
+import type { Run } from "../../../program/run-types.ts";
+import type { RapidThrough } from "../../../sim/plane/milled.ts";
+import type { PlaneRole } from "../../../view/approach/plane-scene.ts";
+import { ringData } from "../../../view/path.ts";
+import { useAhead } from "../lathe/Ahead.tsx";
+import type { PlaybackStore } from "../../calculation/playback-store.ts";
+import type { Viewport } from "../lathe/viewport.ts";
+import { World } from "../lathe/World.tsx";
+import type { NoStock } from "../../calculation/cut-milled.ts";
+import type { GrowingStock } from "./milled.ts";
+import { MilledSheet } from "./MilledSheet.tsx";
+import { MillSheet, RunningMotion } from "./MillSheet.tsx";
+import { PlaneAxes } from "./PlaneAxes.tsx";
+import { planeOfRun } from "../../calculation/plane-run.ts";
+
+/** Lines that lie on milled stock have a light edge, so that they are seen on its darkest tone. */
+const EDGED: readonly PlaneRole[] = ["rapid", "feed", "lead"];
+
+/** Contours and path, those of a newer run where there is one: they are drawn with the key that changes them. */
+const NewestLines = memo(function NewestLines({ of }: { readonly of: Run }) {
+  const { scene: { shapes } } = planeOfRun(useAhead(of) ?? of);
+  return (
+    <>
+      <path className="plane-under" d={shapes.flatMap(({ role, d }) => (EDGED.includes(role) ? [d] : [])).join("")} />
+      {shapes.map(({ role, d }) => <path key={role} className={`plane-${role}`} d={d} />)}
+    </>
+  );
+});
+
+/**
+ * Blank, contours, path and mill in the working plane, in sheets from back to front. The drawing is painted once; while it plays the stock
+ * is painted where the tool is, and the tool's sheet is moved.
+ */
+export function PlanePicture({ viewport, run, playback, milled, rapids, chosen, hovered, name, children }: {
+  readonly viewport: Viewport;
+  readonly run: Run;
+  readonly playback: PlaybackStore;
+  readonly milled: GrowingStock | NoStock;
+  /** Where rapids run through material that stands. */
+  readonly rapids: readonly RapidThrough[];
+  /** What is chosen, over the path, and what is pointed at, over all of it. */
+  readonly chosen: React.ReactNode;
+  readonly hovered: React.ReactNode;
+  readonly name: string;
+  /** What stands in screen space above the picture. */
+  readonly children: React.ReactNode;
+}) {
+  const { plane: steps } = run;
+  return (
+    <div className="lathe-picture plane-picture" role="img" aria-label={name}>
+      <svg className="sheet">
+        <PlaneAxes viewport={viewport} part="grid" />
+      </svg>
+      {typeof milled !== "string" && <MilledSheet viewport={viewport} steps={steps} playback={playback} milled={milled} />}
+      <svg className="sheet still">
+        <World viewport={viewport} shifts>
+          {rapids.length > 0 && <path className="shape-gouge plane-rapid-through"
+            d={ringData(rapids.flatMap(({ rings }) => [...rings]))} />}
+          <NewestLines of={run} />
+          {chosen}
+        </World>
+      </svg>
+      <MillSheet viewport={viewport} steps={steps} playback={playback} />
+      <svg className="sheet">
+        <World viewport={viewport}>
+          {hovered}
+          <RunningMotion steps={steps} playback={playback} />
+        </World>
+        {children}
+        <PlaneAxes viewport={viewport} part="scales" />
+      </svg>
+    </div>
+  );
+}

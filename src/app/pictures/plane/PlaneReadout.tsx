@@ -1,0 +1,95 @@
+import { useCallback } from "react";
+import type { Texts } from "../../../i18n/index.ts";
+import type { Lengths } from "../../../i18n/lengths.ts";
+import type { ApproachRun, PlaneStep } from "../../../program/plane-types.ts";
+import type { PlayPosition } from "../../../sim/simulation.ts";
+import { spotAt } from "../../../view/approach/plane-scene.ts";
+import { isRapid } from "../../../kernel/mill-motion.ts";
+import type { Clock } from "../../base/clock.ts";
+import type { PlaybackStore } from "../../calculation/playback-store.ts";
+import { useSaid, useSpoken } from "../lathe/use-said.ts";
+import { useLengths } from "../../calculation/lengths.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+
+/** What is said about a moment of a milling program. */
+interface Moment {
+  readonly x: string;
+  readonly y: string;
+  readonly z: string;
+  readonly feed: string;
+  readonly step: string;
+  readonly block: string;
+}
+
+/** Position, feed, and what the motion is for; null in an empty run. */
+export function momentText(
+  t: Texts,
+  lengths: Lengths,
+  steps: readonly PlaneStep[],
+  approaches: readonly ApproachRun[],
+  position: PlayPosition,
+): Moment | null {
+  const motion = steps[Math.min(position.step, steps.length - 1)], at = spotAt(steps, position.step, position.fraction);
+  if (!motion || !at) return null;
+  const lead = approaches.find((a) => a.index === motion.index);
+  const what = lead ? `${lead.departing ? "DEP" : "APPR"} ${lead.form}` : isRapid(motion) ? t.lathe.rapid : t.approach.feedMove;
+  const unit = motion.feedUnit === "mm/rev" ? t.lathe.perTurn : t.lathe.perMinute;
+  return {
+    x: lengths.position(at.x),
+    y: lengths.position(at.y),
+    z: at.z === null ? "–" : lengths.position(at.z),
+    feed: motion.feed === undefined ? t.lathe.rapid : `${lengths.number(motion.feed)} ${lengths.words(unit)}`,
+    step: what,
+    block: t.lathe.block(String(motion.block)),
+  };
+}
+
+const textOfCell = (now: Moment | null, says: string): string | null => now?.[says as keyof Moment] ?? null;
+
+/** Live position, feed and block; the numbers change without rendering. */
+export function PlaneReadout({ steps, approaches, playback }: { readonly steps: readonly PlaneStep[];
+  readonly approaches: readonly ApproachRun[]; readonly playback: PlaybackStore })
+{
+  const t = useTexts(), lengths = useLengths();
+  const moment = useCallback(() => momentText(t, lengths, steps, approaches, playback.shown()), [t, lengths, steps, approaches, playback]);
+  const group = useSaid(playback, moment, textOfCell);
+  const cells = [["x", "X"], ["y", "Y"], ["z", "Z"], ["feed", t.lathe.feedName]] as const;
+  return (
+    <div ref={group} className="lathe-readout" role="group" aria-label={t.lathe.now}>
+      <dl className="number">
+        {cells.map(([key, name]) => (
+          <div key={key} className={`readout-${key === "y" ? "x" : key}`}>
+            <dt>{name}</dt>
+            <dd data-says={key} />
+          </div>
+        ))}
+      </dl>
+      <p className="lathe-step" data-says="step" />
+      <p className="lathe-phase soft">
+        <span data-says="block" />
+      </p>
+    </div>
+  );
+}
+
+/** The moment in one sentence. */
+export const momentSentence = (...given: Parameters<typeof momentText>): string => {
+  const now = momentText(...given);
+  return now ? [now.step, `X ${now.x}`, `Y ${now.y}`, `Z ${now.z}`, now.feed, now.block].join(". ") : given[0].lathe.pictureEmpty;
+};
+
+/** The same read out: at once when something was pressed, now and then while it plays. */
+export function SpokenMoment({ steps, approaches, playback, clock }: { readonly steps: readonly PlaneStep[];
+  readonly approaches: readonly ApproachRun[]; readonly playback: PlaybackStore; readonly clock: Clock })
+{
+  const t = useTexts(), lengths = useLengths();
+  const sentence = useCallback(() => momentSentence(t, lengths, steps, approaches, playback.shown()), [
+    t,
+    lengths,
+    steps,
+    approaches,
+    playback,
+  ]);
+  const said = useSpoken(playback, clock, sentence);
+  return <p className="unseen" role="status">{said}</p>;
+}

@@ -1,0 +1,19 @@
+import { useId, useMemo } from "react";
+import type { ApproachRun } from "../../../program/plane-types.ts";
+import { withRoom } from "../../../view/approach/room.ts";
+import type { Viewport } from "../lathe/viewport.ts";
+import { useLengths } from "../../calculation/lengths.ts";
+import { PlanePoints } from "./PlanePoints.tsx";
+import { approachSpeech } from "./speech.ts";
+import "../help/help.css";
+import "./approach.css";
+
+/** They are places of the theoretical tip already. */
+const NO_TIP = { x: 0, y: 0 };
+
+/** PS, PH, PA, PE and PN of the approaches of a turning tool, in the picture of the lathe; gone while they would lie on each other. */
+export function TurnPoints({ viewport, approaches }: { readonly viewport: Viewport; readonly approaches: readonly ApproachRun[] }) {
+  const id = useId(), lengths = useLengths();
+  const speech = useMemo(() => approachSpeech(lengths, "ZX", NO_TIP), [lengths]);
+  return <PlanePoints viewport={viewport} approaches={approaches} speech={speech} id={id} choose={withRoom} />;
+}

@@ -1,0 +1,15 @@
+import type { PlanePoint } from "../../../kernel/plane.ts";
+import type { LookAt } from "../lathe/places.ts";
+
+/** A place where a tool cuts a contour, with the start or end point that is free where the check proposes one. */
+export interface CutPlace extends LookAt {
+  readonly free: { readonly at: PlanePoint; readonly point: "PS" | "PN" } | null;
+}
+
+/** What a finding of the check of approach and departure proposes beside its place. */
+export function cutPlace(place: LookAt): CutPlace {
+  const { issue } = place;
+  return issue?.code === "approachCutsContour" && issue.data.freeY !== undefined
+    ? { ...place, free: { at: { x: issue.data.freeX, y: issue.data.freeY }, point: issue.data.point } }
+    : { ...place, free: null };
+}

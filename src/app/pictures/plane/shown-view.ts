@@ -1,0 +1,70 @@
+import { create } from "zustand";
+import type { PathChoice } from "../../../program/path-index.ts";
+import { crossing, momentOn, sideOfChoice, type MachineSide } from "../../../program/plane-index.ts";
+import type { Run } from "../../../program/run-types.ts";
+import { trackOf } from "../../../view/playback.ts";
+import type { PlaybackStore } from "../../calculation/playback-store.ts";
+
+/** Which picture of a program that both turns and mills is shown; null leaves it to the program. */
+interface AskedView {
+  readonly asked: MachineSide | null;
+  /** By the switch: then it stays while the program is played, until something is chosen that the other one shows. */
+  readonly byHand: boolean;
+}
+
+export const useAskedView = create<AskedView>(() => ({ asked: null, byHand: false }));
+
+type Paths = Pick<Run, "plane" | "steps" | "stepBlocks">;
+
+/** True where the working plane is shown: what is milled cannot be seen in the section of the lathe. */
+export const showsPlane = (run: Paths, asked: MachineSide | null): boolean =>
+  run.plane.length > 0 && (run.steps.length === 0 || asked === "plane");
+
+const shownSide = (run: Paths): MachineSide => (showsPlane(run, useAskedView.getState().asked) ? "plane" : "lathe");
+
+/** The block that a step of the shown picture comes from, as its index in the program; null in an empty one. */
+export function shownBlock(run: Paths, step: number): number | null {
+  if (shownSide(run) === "plane") return run.plane[Math.min(step, run.plane.length - 1)]?.index ?? null;
+  return run.stepBlocks[Math.min(step, run.steps.length - 1)] ?? null;
+}
+
+/** Shows one picture. Steps count in its path from now on, so that a seek goes where it says before the picture is there. */
+function show(run: Paths, playback: PlaybackStore, side: MachineSide, byHand: boolean): void {
+  playback.dispatch({ do: "load", track: trackOf(side === "plane" ? run.plane : run.steps) });
+  useAskedView.setState({ asked: side, byHand });
+}
+
+/** The other picture was asked for by the switch: it begins at the same moment of the program. */
+export function switchSide(run: Paths, playback: PlaybackStore, side: MachineSide): void {
+  if (shownSide(run) === side) return useAskedView.setState({ asked: side, byHand: true });
+  const step = momentOn(run, side, playback.get().position.step);
+  show(run, playback, side, true);
+  playback.dispatch({ do: "seek", position: { step, fraction: 0 } });
+}
+
+/** Something is looked at that one of the pictures shows: that one is shown. */
+export function showSide(run: Paths, playback: PlaybackStore, side: MachineSide): void {
+  if (run.plane.length > 0 && run.steps.length > 0 && shownSide(run) !== side) show(run, playback, side, false);
+}
+
+/** A choice shows the picture that it can be seen in; true where that is the working plane. */
+export function showChoice(run: Run, playback: PlaybackStore, choice: PathChoice): boolean {
+  const side = sideOfChoice(run, choice);
+  if (side !== null) showSide(run, playback, side);
+  return shownSide(run) === "plane";
+}
+
+/** While a program is played, the picture goes over to the one in which it goes on. Returns what ends that. */
+export function followProgramSides(run: Paths, playback: PlaybackStore): () => void {
+  let last = playback.get();
+  return playback.subscribe(() => {
+    const before = last, now = playback.get(), side = shownSide(run);
+    last = now;
+    if (!before.playing || useAskedView.getState().byHand || before.track !== now.track) return;
+    const next = now.position.step > before.position.step ? crossing(run, side, before.position.step, now.position.step) : null;
+    if (next === null) return;
+    show(run, playback, side === "plane" ? "lathe" : "plane", false);
+    playback.dispatch({ do: "seek", position: { step: next, fraction: 0 } });
+    playback.dispatch({ do: "play" });
+  });
+}

@@ -1,0 +1,44 @@
+import { useState, type PointerEvent } from "react";
+import { planePoint, type PlanePoint } from "../../../kernel/plane.ts";
+import { pageUnit } from "../../base/unit.ts";
+import { toPlace, type Camera } from "../../../view/camera.ts";
+import type { Handle } from "../../../view/approach/drag.ts";
+
+/** Dragging the handles of a drawing. */
+export interface Dragging {
+  /** The camera while something is dragged: the picture keeps still. */
+  readonly camera: Camera | null;
+  readonly handle: Handle | null;
+  readonly begin: (handle: Handle, camera: Camera, event: PointerEvent<SVGElement>) => void;
+  readonly move: (event: PointerEvent<SVGElement>) => void;
+  readonly end: (event: PointerEvent<SVGElement>) => void;
+}
+
+/** Follows a pointer that took a handle; `onMove` gets the place in the working plane. */
+export function useDrag(onMove: (handle: Handle, to: PlanePoint, camera: Camera) => void): Dragging {
+  const [held, hold] = useState<{ readonly handle: Handle; readonly camera: Camera } | null>(null);
+  return {
+    camera: held?.camera ?? null,
+    handle: held?.handle ?? null,
+    begin(handle, camera, event) {
+      if (event.button !== 0) return;
+      event.preventDefault();
+      event.currentTarget.setPointerCapture(event.pointerId);
+      hold({ handle, camera });
+    },
+    move(event) {
+      const picture = event.currentTarget.ownerDocument.defaultView && event.currentTarget.closest("svg");
+      if (!held || !picture) return;
+      const box = picture.getBoundingClientRect();
+      const unit = pageUnit();
+      const place = { x: (event.clientX - box.left) / unit, y: (event.clientY - box.top) / unit };
+      onMove(held.handle, planePoint(toPlace(held.camera, place)), held.camera);
+    },
+    end: () => hold(null),
+  };
+}
+
+/** Steps in which a dragged value moves: as fine as the picture shows them apart, mm. */
+export function gridOf(camera: Camera): number {
+  return [0.01, 0.05, 0.1, 0.5, 1, 5, 10].find((grid) => grid * camera.scale >= 3) ?? 10;
+}

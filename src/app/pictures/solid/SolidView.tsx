@@ -1,0 +1,210 @@
+import { useEffect, useId, useMemo, useRef, useState } from "react";
+import type { Run } from "../../../program/run-types.ts";
+import { loadSolid } from "../../../i18n/load-solid.ts";
+import type { SolidTexts } from "../../../i18n/en/solid.ts";
+import { pathInSpace, segmentsInSpace } from "../../../view/solid/path-lines.ts";
+import type { SolidTold } from "../../../view/solid/shown-bodies.ts";
+import { NAMED_VIEWS } from "../../../view/solid/orbit.ts";
+import { tonedSides, type TonedSide } from "../../../view/solid/tones.ts";
+import type { Clock } from "../../base/clock.ts";
+import type { LookAt } from "../lathe/places.ts";
+import { PlaceButtons, PlaceLines } from "../lathe/PlaceButtons.tsx";
+import { pageColours, useTheme } from "../../base/use-theme-colours.ts";
+import type { Viewport } from "../lathe/viewport.ts";
+import { LoadPart } from "../load/LoadParts.tsx";
+import { useLoadDrawing } from "../load/use-drawing.ts";
+import { useLoadOf } from "../load/use-load.ts";
+import { reducedMotion } from "../../base/settings/appearance.ts";
+import { laterTexts } from "../../base/settings/later-texts.ts";
+import { changeSettings, useSettings } from "../../base/settings/settings.ts";
+import { createEye, seenInSpace, type Eye } from "./eye.ts";
+import { listenToHands } from "./hands.ts";
+import { createShow, NOTHING_TOLD, type Show, type ShownWork } from "./show.ts";
+import type { StageLines } from "./path-stage.ts";
+import { createStage, STAGE_COLOURS, type SolidStage } from "./stage.ts";
+import "./solid.css";
+
+const { useThem: useSolidTexts } = laterTexts(loadSolid);
+
+/** Zoom and fit of whatever is looked at. */
+export type Zooming = Pick<Viewport, "zoom" | "fit" | "show">;
+
+interface Props {
+  readonly work: ShownWork;
+  readonly run: Run;
+  /** The moves whose lines are shown. */
+  readonly lines: (step: number) => boolean;
+  /** What is to be said of the moment. */
+  readonly state: string;
+  readonly clock: Clock;
+  /** Findings and what stays, as marks over the body, and the one that is looked at. */
+  readonly places: readonly LookAt[];
+  readonly chosen: LookAt | null;
+  readonly choose: (place: LookAt | null) => void;
+  /** SolidTold what zooms the view once it is drawn, and null where the section has to take its place. */
+  readonly onDrawn: (drawn: Zooming | null) => void;
+}
+
+/** The turned body in space. Where that cannot be drawn it says so, and what lies below is seen. */
+export function SolidView(props: Props) {
+  const t = useSolidTexts(), [tries, tryAgain] = useState(0);
+  return <Tried key={tries} {...props} t={t} again={() => tryAgain(tries + 1)} />;
+}
+
+type Trouble = "missing" | "lost" | null;
+
+interface Running {
+  readonly stage: SolidStage;
+  readonly eye: Eye;
+  readonly show: Show;
+}
+
+/** SolidStage, eye and show on a canvas for as long as it is there. */
+function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
+  const field = useRef<HTMLDivElement>(null), canvas = useRef<HTMLCanvasElement>(null);
+  const [running, run] = useState<Running | null>(null);
+  const [told, tell] = useState(NOTHING_TOLD);
+  useEffect(() => {
+    const [element, drawn] = [field.current, canvas.current];
+    const stage = drawn && createStage(drawn);
+    if (!element || !drawn || !stage) {
+      setTrouble("missing");
+      return undefined;
+    }
+    const eye = createEye(clock, () => reducedMotion(useSettings.getState())), show = createShow(stage, eye, clock, tell);
+    const measure = () => {
+      const { clientWidth: width, clientHeight: height } = element;
+      const buttons = element.querySelector<HTMLElement>(".solid-foot");
+      if (width > 0 && height > 0) show.setSize({ width, height }, buttons ? height - buttons.offsetTop : 0);
+    };
+    const sizes = new ResizeObserver(measure), deaf = listenToHands(element, eye);
+    sizes.observe(element);
+    const lost = (event: Event) => {
+      event.preventDefault();
+      setTrouble("lost");
+    };
+    const back = () => {
+      setTrouble(null);
+      show.refresh();
+    };
+    drawn.addEventListener("webglcontextlost", lost);
+    drawn.addEventListener("webglcontextrestored", back);
+    run({ stage, eye, show });
+    return () => {
+      drawn.removeEventListener("webglcontextlost", lost);
+      drawn.removeEventListener("webglcontextrestored", back);
+      sizes.disconnect();
+      deaf();
+      eye.end();
+      show.end();
+      stage.dispose();
+    };
+  }, [clock, setTrouble]);
+  return { field, canvas, running, told };
+}
+
+const NO_TONES: readonly TonedSide[] = [];
+
+/**
+ * Path and colours as lines in space: where something is told by colour, the path lies faint under it. What is told of surfaces lies on
+ * them as well.
+ */
+function useTold(
+  run: Run,
+  shown: (step: number) => boolean,
+): { readonly lines: readonly StageLines[]; readonly tones: readonly TonedSide[] } {
+  const colours = useSettings((s) => s.colours), told = useLoadDrawing(run, colours === "none" ? null : colours, shown);
+  const surface = useLoadOf(run)?.surface;
+  const path = useMemo(() => pathInSpace(run.steps, shown).map(({ role, ...lines }): StageLines => ({ ...lines, look: { role } })), [
+    run,
+    shown,
+  ]);
+  const lines = useMemo(
+    () => [...path, ...told?.lines.map(({ tone, segments }): StageLines => ({ ...segmentsInSpace(segments), look: { tone } })) ?? []],
+    [path, told],
+  );
+  const tones = useMemo(() => (told && surface && colours === "roughness" ? tonedSides(surface, told.scale) : NO_TONES), [
+    told,
+    surface,
+    colours,
+  ]);
+  return { lines, tones };
+}
+
+/** What is to be said of the picture itself: what its surfaces stand for, and what is not as in the shop. */
+function Notes({ told: { textures, marked, rings, leftHanded }, milled, noBlank, t }: { readonly told: SolidTold; readonly milled: boolean;
+  readonly noBlank: boolean; readonly t: SolidTexts })
+{
+  const said = [noBlank && t.noBlank, milled && t.milled, rings && t.threads, leftHanded && t.left].filter((each) => each !== false);
+  return (
+    <div className="solid-notes small soft">
+      {textures.length + marked.length > 1 && (
+        <ul className="solid-surfaces" aria-label={t.surfaces}>
+          {textures.map((texture) => <li key={texture} className={`solid-${texture}`}>{t.textures[texture]}</li>)}
+          {marked.map((mark) => <li key={mark} className={`solid-${mark}`}>{t.marked[mark]}</li>)}
+        </ul>
+      )}
+      {said.map((each) => <p key={each}>{each}</p>)}
+    </div>
+  );
+}
+
+function Tried({ work, run, lines: shown, state, clock, places, chosen, choose, onDrawn, t, again }: Props & { readonly t: SolidTexts;
+  readonly again: () => void })
+{
+  const keys = useId(), theme = useTheme();
+  const { quarterCut, xDown } = useSettings();
+  const [trouble, setTrouble] = useState<Trouble>(null);
+  const { field, canvas, running, told } = useRunning(clock, setTrouble);
+  useEffect(() => running?.stage.setColours(pageColours(STAGE_COLOURS)), [running, theme]);
+  useEffect(() => running?.show.setLook({ quarterCut, xDown }), [running, quarterCut, xDown, theme]);
+  useEffect(() => running?.show.setWork(work), [running, work]);
+  const { lines, tones } = useTold(run, shown);
+  useEffect(() => running?.show.setLines(lines), [running, lines]);
+  useEffect(() => running?.show.setTones(tones), [running, tones]);
+  useEffect(() => {
+    if (!running || trouble) return undefined;
+    const { zoom, fit, show } = running.eye;
+    onDrawn({ zoom: (factor) => zoom(factor), fit, show: (bounds) => show(bounds, xDown) });
+    return () => onDrawn(null);
+  }, [running, trouble, xDown, onDrawn]);
+  const seeing = useMemo(() => running && seenInSpace(running.eye, xDown), [running, xDown]);
+  return (
+    <>
+      <div ref={field} className="solid-field" role="group" tabIndex={trouble ? -1 : 0} aria-label={t.title} aria-describedby={keys}
+        hidden={trouble !== null}
+      >
+        <canvas ref={canvas} role="img" aria-label={t.picture(quarterCut, state)} />
+        <p id={keys} className="unseen">{t.keys}</p>
+        {seeing && (
+          <>
+            <svg className="solid-marks" aria-hidden="true">
+              <LoadPart.Mark run={run} seeing={seeing} />
+              <PlaceLines seeing={seeing} places={places} />
+            </svg>
+            <PlaceButtons seeing={seeing} places={places} chosen={chosen} choose={choose} />
+          </>
+        )}
+        <div className="solid-foot">
+          <Notes told={told} milled={run.plane.length > 0} noBlank={work.blank.length === 0} t={t} />
+          <div className="solid-views" role="group" aria-label={t.views}>
+            <button type="button" className="button" aria-label={t.quarter} title={t.quarter} aria-pressed={quarterCut}
+              onClick={() => changeSettings({ quarterCut: !quarterCut })}
+            >
+              {t.quarterShort}
+            </button>
+            {NAMED_VIEWS.map((view) => (
+              <button key={view} type="button" className="button" onClick={() => running?.eye.go(view)}>{t[view]}</button>
+            ))}
+          </div>
+        </div>
+      </div>
+      {trouble && (
+        <div role="status" className="solid-trouble small">
+          <p>{t[trouble]}</p>
+          <button type="button" className="button" onClick={again}>{t.again}</button>
+        </div>
+      )}
+    </>
+  );
+}

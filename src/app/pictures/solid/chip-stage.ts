@@ -1,0 +1,63 @@
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Mesh as Triangles, MeshBasicMaterial } from "three";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import { sameChip, type Chip } from "../../../sim/chip/chip.ts";
+import { chipInSpace } from "../../../view/solid/chip.ts";
+
+/** How much of the chip's colour is accent, as in the section; how thick the edge in contact is, pixels. */
+const ACCENT = 0.38;
+const EDGE = 3;
+
+/** The chip of the moment and the edge that cuts it, relative to the tip. */
+export interface ChipStage {
+  readonly group: Group;
+  readonly set: (chip: Chip | null) => void;
+  /** How much of a side of the canvas is drawn: the edge is as much finer. */
+  readonly setShare: (share: number) => void;
+  readonly setColours: (accent: string, surface: string) => void;
+  readonly dispose: () => void;
+}
+
+/** Nothing of it is on the graphics card as long as no chip is cut. */
+export function createChipStage(): ChipStage {
+  const group = new Group();
+  const before = { polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1, side: DoubleSide } as const;
+  const area = new MeshBasicMaterial(before), edge = new LineMaterial({ linewidth: EDGE, ...before });
+  let drawn: Chip | null = null;
+  const clear = () => {
+    for (const child of [...group.children]) {
+      if (child instanceof Triangles) (child.geometry as BufferGeometry).dispose();
+      group.remove(child);
+    }
+  };
+  return {
+    group,
+    set(chip) {
+      if (sameChip(chip, drawn)) return;
+      drawn = chip;
+      clear();
+      if (!chip) return;
+      const { positions, index, contact } = chipInSpace(chip), filled = new BufferGeometry();
+      filled.setAttribute("position", new BufferAttribute(positions, 3));
+      filled.setIndex(new BufferAttribute(index, 1));
+      group.add(new Triangles(filled, area));
+      if (contact.length === 0) return;
+      const line = new LineSegments2(new LineSegmentsGeometry().setPositions(contact), edge);
+      line.frustumCulled = false;
+      group.add(line);
+    },
+    setShare(share) {
+      edge.linewidth = EDGE * share;
+    },
+    setColours(accent, surface) {
+      edge.color.set(accent);
+      area.color.copy(new Color(surface).lerp(new Color(accent), ACCENT));
+    },
+    dispose() {
+      clear();
+      area.dispose();
+      edge.dispose();
+    },
+  };
+}

@@ -1,0 +1,118 @@
+import type { Bounds, Size } from "../../../view/camera.ts";
+import { approached, namedView, nearTo, orbited, projected, slid, viewBetween, type NamedView,
+  type Orbit } from "../../../view/solid/orbit.ts";
+import type { Clock } from "../../base/clock.ts";
+import type { Seeing } from "../lathe/seeing.ts";
+
+/** From where the body is looked at, followed by what draws it. */
+export interface Eye {
+  readonly get: () => Orbit;
+  readonly size: () => Size;
+  readonly subscribe: (listener: () => void) => () => void;
+  /** By angles in radians, at once: it follows a finger. */
+  readonly turn: (turn: number, rise: number) => void;
+  readonly slide: (dx: number, dy: number) => void;
+  readonly zoom: (factor: number) => void;
+  readonly go: (view: NamedView) => void;
+  /** The view it last went to by name, so that the whole body is seen. */
+  readonly fit: () => void;
+  /** Near to a box of the half plane, from the side from which it looks; `down`: X grows downwards. */
+  readonly show: (bounds: Bounds, down: boolean) => void;
+  readonly setSize: (size: Size) => void;
+  /** What there is to be seen; `isFlat`: no body, only lines in the plane in which the tool works. */
+  readonly setBounds: (bounds: Bounds, isFlat?: boolean) => void;
+  /** Ends a movement that is under way. */
+  readonly end: () => void;
+}
+
+/** How long a movement to a named view lasts, ms. */
+const WAY = 200;
+const START: Bounds = { left: -80, right: 20, low: 0, high: 40 };
+
+const isSame = (a: Bounds, b: Bounds) => a.left === b.left && a.right === b.right && a.low === b.low && a.high === b.high;
+
+/** An eye that looks at an angle. `still`: without motion it is there at once. */
+export function createEye(clock: Clock, still: () => boolean): Eye {
+  let size: Size = { width: 640, height: 400 };
+  let bounds = START;
+  let flat = false;
+  let byHand = false;
+  let name: NamedView = "iso";
+  const named = () => namedView(name, bounds, size, flat);
+  let orbit = named();
+  let stop: (() => void) | null = null;
+  /** Where a movement that is under way ends. */
+  let goal: Orbit | null = null;
+  const listeners = new Set<() => void>();
+  const set = (next: Orbit) => {
+    orbit = next;
+    for (const listener of [...listeners]) listener();
+  };
+  const end = () => {
+    stop?.();
+    stop = goal = null;
+  };
+  /** What a hand does goes on from where a movement would have ended: who asks for a view and turns it gets both. */
+  const look = (change: (from: Orbit) => Orbit) => {
+    const from = goal ?? orbit;
+    end();
+    byHand = true;
+    set(change(from));
+  };
+  const flyTo = (to: Orbit, hand: boolean) => {
+    end();
+    byHand = hand;
+    const from = orbit, begun = clock.now();
+    if (still()) return set(to);
+    goal = to;
+    const picture = (now: number) => {
+      const share = (now - begun) / WAY;
+      stop = share < 1 ? clock.frame(picture) : null;
+      if (!stop) goal = null;
+      set(viewBetween(from, to, share));
+    };
+    stop = clock.frame(picture);
+  };
+  const fly = () => flyTo(named(), false);
+  const refit = () => {
+    end();
+    set(byHand ? { ...orbit } : named());
+  };
+
+  return {
+    get: () => orbit,
+    size: () => size,
+    subscribe(listener) {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+    turn: (turn, rise) => look((from) => orbited(from, turn, rise)),
+    slide: (dx, dy) => look((from) => slid(from, dx, dy, size)),
+    zoom: (factor) => look((from) => approached(from, factor)),
+    go(view) {
+      name = view;
+      fly();
+    },
+    fit: fly,
+    show: (near, down) => flyTo(nearTo(goal ?? orbit, near, down), true),
+    setSize(next) {
+      if (next.width === size.width && next.height === size.height) return;
+      size = next;
+      refit();
+    },
+    setBounds(next, isFlat = false) {
+      if (isSame(next, bounds) && isFlat === flat) return;
+      [bounds, flat] = [next, isFlat];
+      refit();
+    },
+    end,
+  };
+}
+
+/** How places of the section are seen from an eye: in the plane in which the tool works. `down`: X grows downwards. */
+export const seenInSpace = ({ get, subscribe, size }: Eye, down: boolean): Seeing => ({
+  get,
+  subscribe,
+  size,
+  at: ({ z, r }) => projected(get(), size(), [down ? -r : r, 0, z]),
+});

@@ -1,0 +1,184 @@
+import { DoubleSide, Group, InstancedInterleavedBuffer, InterleavedBufferAttribute, LessDepth } from "three";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import type { PathRole } from "../../../view/scene.ts";
+import { piecesFrom, thinned, type SpaceLines } from "../../../view/solid/path-lines.ts";
+
+/** What lines stand for: a form of the path, or a tone of what is told by colour; null where no number is told. */
+export type LineLook = { readonly role: PathRole } | { readonly tone: number | null };
+
+/** Lines of one look. Those of the path fade when they are done. */
+export interface StageLines extends SpaceLines {
+  readonly look: LineLook;
+}
+
+/** Colours of the page, by the custom properties that hold them. */
+export const LINE_COLOURS = {
+  feed: "--feed",
+  rapid: "--rapid",
+  untold: "--text-soft",
+  tone0: "--load-0",
+  tone1: "--load-1",
+  tone2: "--load-2",
+  tone3: "--load-3",
+  tone4: "--load-4",
+  tone5: "--load-5",
+  tone6: "--load-6",
+} as const;
+type LineColours = Readonly<Record<keyof typeof LINE_COLOURS, string>>;
+
+interface Form {
+  readonly wide: number;
+  /** Dash and gap; lines without one are whole. */
+  readonly dash?: readonly [number, number];
+}
+
+/** The forms of the drawing, pixels. */
+const FORMS: Readonly<Record<PathRole, Form>> = {
+  rapid: { wide: 1, dash: [6, 4] },
+  feed: { wide: 1.5 },
+  plunge: { wide: 2, dash: [2, 3] },
+  smooth: { wide: 1.5, dash: [14, 2] },
+  finish: { wide: 3 },
+  thread: { wide: 1.5, dash: [8, 3] },
+};
+const TONES = [1.5, 2.25, 3, 3.5, 4.25, 5, 5.75] as const;
+const UNTOLD: Form = { wide: 2, dash: [2, 3] };
+/** How strong lines are: of what is to come, of what is done, and of the path where something else is told by colour. */
+const STRENGTH = { coming: 0.75, done: 0.22, under: 0.2, told: 1 } as const;
+
+/** Where there are more pieces, those that cannot be told apart are drawn once: ends closer together than this are not, pixels. */
+const MANY = 4000, FINE = 1;
+
+/** How fine a path of many pieces is drawn, mm: one of a few steps, since each is made anew. */
+const fineness = (pixel: number): number => 2 ** Math.floor(Math.log2(FINE * pixel));
+
+/** Lines on the stage. */
+export interface PathStage {
+  readonly group: Group;
+  readonly set: (lines: readonly StageLines[]) => void;
+  /** The step that runs. */
+  readonly runs: (step: number) => void;
+  readonly setColours: (colours: LineColours) => void;
+  /** What one pixel shows, mm. */
+  readonly setPixel: (mm: number) => void;
+  /** How much of a side of the canvas is drawn: lines are as much finer. */
+  readonly setShare: (share: number) => void;
+  readonly dispose: () => void;
+}
+
+const formOf = (look: LineLook): Form => {
+  if ("role" in look) return FORMS[look.role];
+  return look.tone === null ? UNTOLD : { wide: TONES[look.tone] ?? 1 };
+};
+
+function colourOf(look: LineLook, colours: LineColours): string {
+  if ("role" in look) return look.role === "rapid" ? colours.rapid : colours.feed;
+  return look.tone === null ? colours.untold : colours[`tone${look.tone}` as keyof LineColours];
+}
+
+/** Pieces and how far along each begins and ends, mm, for dashes. */
+function geometryOf({ places }: SpaceLines): LineSegmentsGeometry {
+  const geometry = new LineSegmentsGeometry(), along = new Float32Array(places.length / 3);
+  geometry.setPositions(places);
+  for (let i = 0, p = 0, far = 0; i < along.length; i += 2, p += 6) {
+    along[i] = far;
+    far += Math.hypot((places[p + 3] ?? 0) - (places[p] ?? 0), (places[p + 5] ?? 0) - (places[p + 2] ?? 0));
+    along[i + 1] = far;
+  }
+  const buffer = new InstancedInterleavedBuffer(along, 2, 1);
+  geometry.setAttribute("instanceDistanceStart", new InterleavedBufferAttribute(buffer, 1, 0));
+  geometry.setAttribute("instanceDistanceEnd", new InterleavedBufferAttribute(buffer, 1, 1));
+  return geometry;
+}
+
+/** The same pieces, of which another number may be drawn. */
+function sharing(geometry: LineSegmentsGeometry): LineSegmentsGeometry {
+  const other = new LineSegmentsGeometry();
+  for (const [name, attribute] of Object.entries(geometry.attributes)) other.setAttribute(name, attribute);
+  return other;
+}
+
+/** The lines of the work. Of two that lie on each other the first one is seen, and none is seen twice, however faint. */
+export function createPathStage(): PathStage {
+  const group = new Group();
+  let drawn: readonly { readonly line: LineSegments2; readonly of: StageLines; readonly fades: boolean }[] = [];
+  let [colours, pixel, step, share]: [LineColours | null, number, number, number] = [null, 1, 0, 1];
+  let whole: readonly StageLines[] = [];
+
+  const clear = () => {
+    for (const { line } of drawn) {
+      line.geometry.dispose();
+      line.material.dispose();
+      group.remove(line);
+    }
+    drawn = [];
+  };
+  const put = (of: StageLines, geometry: LineSegmentsGeometry, opacity: number, fades: boolean) => {
+    const { wide, dash } = formOf(of.look);
+    // Where X grows downwards the world is turned over, and a line would show its back.
+    const material = new LineMaterial({
+      linewidth: wide,
+      transparent: true,
+      opacity,
+      dashed: dash !== undefined,
+      depthFunc: LessDepth,
+      side: DoubleSide,
+    });
+    if (dash) [material.dashSize, material.gapSize] = dash;
+    const line = new LineSegments2(geometry, material);
+    line.frustumCulled = false;
+    line.renderOrder = group.children.length;
+    group.add(line);
+    return { line, of, fades };
+  };
+  const look = () => {
+    for (const { line: { material, geometry }, of, fades } of drawn) {
+      if (colours) material.color.set(colourOf(of.look, colours));
+      material.dashScale = 1 / pixel;
+      material.linewidth = formOf(of.look).wide * share;
+      if (fades) geometry.instanceCount = piecesFrom(of, step);
+    }
+  };
+
+  const isMany = () => whole.reduce((sum, { sources }) => sum + sources.length, 0) > MANY;
+  const arrange = () => {
+    clear();
+    const lines = isMany() ? whole.map((each) => ({ ...each, ...thinned(each, fineness(pixel)) })) : whole;
+    const told = lines.filter(({ look: l }) => "tone" in l).reverse(), path = lines.filter(({ look: l }) => "role" in l);
+    const first = told.map((each) => put(each, geometryOf(each), STRENGTH.told, false));
+    const made = path.map(geometryOf), all = (each: StageLines, i: number) => made[i] ?? geometryOf(each);
+    const coming = told.length > 0 ? [] : path.map((each, i) => put(each, sharing(all(each, i)), STRENGTH.coming, true));
+    const rest = path.map((each, i) => put(each, all(each, i), told.length > 0 ? STRENGTH.under : STRENGTH.done, false));
+    drawn = [...first, ...coming, ...rest];
+    look();
+  };
+
+  return {
+    group,
+    set(lines) {
+      whole = lines;
+      arrange();
+    },
+    runs(now) {
+      step = now;
+      for (const { line, of, fades } of drawn) if (fades) line.geometry.instanceCount = piecesFrom(of, step);
+    },
+    setColours(next) {
+      colours = next;
+      look();
+    },
+    setPixel(mm) {
+      const isOther = isMany() && fineness(mm) !== fineness(pixel);
+      pixel = mm;
+      if (isOther) arrange();
+      for (const { line } of drawn) line.material.dashScale = 1 / pixel;
+    },
+    setShare(next) {
+      share = next;
+      look();
+    },
+    dispose: clear,
+  };
+}

@@ -1,0 +1,275 @@
+import type { Clamped } from "../../../kernel/clamping.ts";
+import type { Ring, Segment } from "../../../kernel/point.ts";
+import type { Step } from "../../../kernel/step.ts";
+import type { Tool } from "../../../kernel/tool.ts";
+import type { SpindleFrom } from "../../../sim/load/spindles.ts";
+import type { PlayPosition, Simulation } from "../../../sim/simulation.ts";
+import { boundsOf, joined } from "../../../view/bounds.ts";
+import type { Bounds, Size } from "../../../view/camera.ts";
+import { statedSteps } from "../../../view/solid/bodies.ts";
+import { chuckParts, toolParts } from "../../../view/solid/furniture.ts";
+import { chordsFor } from "../../../view/solid/revolve.ts";
+import { shownBodies, type BodiesAsked, type ShownBodies, type SolidTold } from "../../../view/solid/shown-bodies.ts";
+import { THREAD_FINENESS } from "../../../view/solid/threaded.ts";
+import { runThreads, type RunThreads } from "../../../view/solid/thread-cuts.ts";
+import type { TonedSide } from "../../../view/solid/tones.ts";
+import { UNTOUCHED } from "../../../view/material/surfaces.ts";
+import { tipAt } from "../../../view/tip.ts";
+import { stopwatch, type Clock } from "../../base/clock.ts";
+import { stepIndex, type Moving, type Waiting } from "../../calculation/moving.ts";
+import { knownOf } from "../lathe/played-layer.ts";
+import { bodySource, isSameTold } from "./body-source.ts";
+import type { Eye } from "./eye.ts";
+import type { StageLines } from "./path-stage.ts";
+import { createSharpness } from "./sharpness.ts";
+import type { SolidStage } from "./stage.ts";
+
+/** What is to be seen. */
+export interface ShownWork {
+  readonly moving: Moving | null;
+  readonly simulation: Simulation | null;
+  /** The blank and the tool at its start, as long as nothing moves. */
+  readonly waiting: Waiting | null;
+  readonly blank: readonly Ring[];
+  /** What holds it; null where that is not stated. */
+  readonly clamping: Clamped | null;
+  readonly steps: readonly Step[];
+  readonly spindles: readonly SpindleFrom[];
+  readonly contours: readonly (readonly Segment[])[];
+}
+
+export const NOTHING_TOLD: SolidTold = { rings: false, leftHanded: false, textures: [], marked: [] };
+
+/** Brings work and eye onto a stage, and draws only when something has changed. */
+export interface Show {
+  readonly setWork: (work: ShownWork) => void;
+  readonly setLines: (lines: readonly StageLines[]) => void;
+  /** What is told of surfaces by tones. */
+  readonly setTones: (tones: readonly TonedSide[]) => void;
+  readonly setLook: (look: { readonly quarterCut: boolean; readonly xDown: boolean }) => void;
+  /** The canvas, and how much of it lies below the picture: buttons are there. */
+  readonly setSize: (size: Size, below: number) => void;
+  /** Something else has changed: colours, the context. */
+  readonly refresh: () => void;
+  readonly end: () => void;
+}
+
+/** Chords of a full turn while the body changes with every picture: roundness is told from its light then. */
+const QUICK = 64;
+/** While it plays a body is built anew after so many times what building it takes, so that most of the time is left for pictures. */
+const PAUSE = 3;
+/** Most pixels that are drawn, and the finest ratio of them to those of the page. */
+const PIXELS = { most: 2_600_000, ratio: 2 } as const;
+/** After so long without a picture, or after so many times what the last one took, everything is drawn sharp. */
+const REST = { ms: 160, times: 3 } as const;
+
+const nothingMoves = (): readonly Ring[] => [];
+
+/** `tell` hears what is to be said of what is seen, whenever that changes. */
+export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (told: SolidTold) => void): Show {
+  let work: ShownWork | null = null;
+  let threads: RunThreads | null = null;
+  let [quarterCut, xDown] = [true, false];
+  /** What is told of surfaces, and how often that has changed. */
+  let [tones, toneTurn]: [readonly TonedSide[], number] = [[], 0];
+  let [box, seen]: [Bounds | null, Bounds | null] = [null, null];
+  let [drawnRings, drawnKey, drawnTool]: [readonly Ring[], string, Tool | null] = [[], "", null];
+  /** The moment whose stock is seen, and how. */
+  let seenAt: { readonly moving: Moving; readonly position: PlayPosition; readonly look: string } | null = null;
+  const source = bodySource();
+  let [builtAt, cost] = [-Infinity, 0];
+  let canvas: { readonly size: Size; readonly below: number } = { size: eye.size(), below: 0 };
+  let [asked, changed]: [(() => void) | null, boolean] = [null, true];
+  let [coarse, learned] = [1, 1];
+  const sharpness = createSharpness();
+  let [askedAt, lastPicture] = [0, 0];
+  let resting: ReturnType<typeof setTimeout> | undefined;
+  let told = NOTHING_TOLD;
+  let heard: (() => void)[] = [];
+
+  const playing = () => work?.moving?.playback.get().playing ?? false;
+  const sharpRatio = ({ width, height }: Size) =>
+    Math.min(devicePixelRatio, PIXELS.ratio, Math.sqrt(PIXELS.most / Math.max(1, width * height)));
+
+  const atOf = (moving: Moving | null): PlayPosition => moving?.playback.shown() ?? { step: 0, fraction: 0 };
+
+  function draw({ bodies, told: now }: ShownBodies): void {
+    stage.setBodies(bodies);
+    if (!isSameTold(now, told)) tell(told = now);
+  }
+
+  /** How a moment is to be seen; `look` names all of it that is no stock. Where X grows downwards the picture is a mirror image. */
+  function wanted({ moving, simulation, steps }: ShownWork) {
+    const position = atOf(moving), high = box?.high ?? 1, chords = playing() ? Math.min(QUICK, chordsFor(high)) : chordsFor(high);
+    const faults = simulation?.findings.filter((f) => f.step < position.step || (f.step === position.step && position.fraction > 0)).length
+      ?? 0;
+    const look = [chords, quarterCut, xDown, toneTurn].join(),
+      moment = [faults, position.step >= steps.length, playing() || position.step].join();
+    const asked: BodiesAsked = {
+      position,
+      size: box ? Math.max(box.right - box.left, box.high) : 1,
+      turning: {
+        chords,
+        quarterCut,
+        hand: xDown ? -1 : 1,
+        ...THREAD_FINENESS[playing() ? "playing" : "resting"],
+      },
+      tones,
+    };
+    return { look, key: `${look} ${moment}`, asked };
+  }
+
+  /** Builds the bodies of the moment on the page, unless they are the ones that are there. */
+  function buildHere(of: ShownWork): void {
+    const { moving, simulation, waiting } = of, { look, key, asked } = wanted(of), { position } = asked;
+    const rings = moving ? moving.stockAt(position) : waiting?.blank ?? nothingMoves();
+    // Of a run that is only planned the stock of before is seen, with its threads and colours.
+    const stands = moving && !simulation && seenAt?.look === look && seenAt.moving.stockAt(seenAt.position) === rings;
+    if (stands || (rings === drawnRings && key === drawnKey)) return;
+    source.forget();
+    draw(shownBodies(rings, { simulation: moving && simulation, threads, surfaces: moving?.surfaces ?? UNTOUCHED }, asked));
+    [drawnRings, drawnKey] = [rings, key];
+    seenAt = moving && { moving, position, look };
+  }
+
+  /** Has the bodies of the moment made, in the worker where that knows the work. */
+  function build(): void {
+    changed = false;
+    const now = work, moving = now?.moving ?? null;
+    const known = now?.simulation && moving && clock.flows ? knownOf(moving.steps) : null;
+    if (!now) return;
+    if (!known || !moving) return buildHere(now);
+    const { look, key, asked } = wanted(now), { position } = asked;
+    source.ask(known, { ...asked, look: key }, (made) => {
+      if (!made) buildHere(now);
+      else {
+        if (made !== "same") draw(made);
+        [drawnRings, drawnKey] = [[], ""];
+        seenAt = { moving, position, look };
+      }
+      ask();
+    });
+  }
+
+  function placeTool(): void {
+    if (!work) return;
+    const { moving, waiting } = work, position = moving?.playback.shown();
+    const tip = moving && position ? tipAt(moving.steps, position) : waiting?.start ?? null;
+    const tool = moving && position ? moving.steps[stepIndex(moving.steps, position)]?.tool ?? null : waiting?.tool ?? null;
+    if (tool !== drawnTool) stage.setTool(tool ? toolParts(tool) : []);
+    drawnTool = tool;
+    stage.placeTool(tool && tip);
+    stage.setChip(moving && position && work.simulation ? moving.chipAt(position) : null);
+    stage.setStep(position?.step ?? 0);
+  }
+
+  function setCoarse(share: number): void {
+    if (share === coarse) return;
+    coarse = share;
+    stage.setShare(share);
+  }
+
+  /** Fewer pixels where pictures come too slowly after they were asked for; returns how long this one took. */
+  function mind(now: number): number {
+    const took = now - Math.max(lastPicture, askedAt), goesOn = playing() || askedAt - lastPicture < REST.ms;
+    lastPicture = now;
+    if (goesOn) learned = sharpness.took(took);
+    if (goesOn) setCoarse(learned);
+    return took;
+  }
+
+  function picture(): void {
+    asked = null;
+    const begun = stopwatch();
+    const took = mind(begun);
+    if (changed && !source.isAsked() && (!playing() || begun - builtAt > PAUSE * cost)) {
+      build();
+      builtAt = stopwatch();
+      cost = builtAt - begun;
+    }
+    placeTool();
+    const { centre } = eye.get(), wide = box ? Math.hypot(box.right - box.left, box.high) : 1;
+    const tip = work?.moving && tipAt(work.moving.steps, work.moving.playback.shown());
+    stage.draw(eye.get(), eye.size(), 2 * wide + Math.hypot(centre[2], centre[1], centre[0]) + (tip ? Math.hypot(tip.z, tip.r) : 0));
+    if (changed && !source.isAsked()) ask();
+    clearTimeout(resting);
+    if (coarse < 1) resting = setTimeout(sharpen, Math.max(REST.ms, REST.times * took));
+  }
+
+  function sharpen(): void {
+    if (asked || playing()) return;
+    setCoarse(1);
+    ask();
+  }
+
+  function ask(): void {
+    if (asked) return;
+    askedAt = stopwatch();
+    asked = clock.frame(picture);
+  }
+  /** Brings what is there to the eye: a body all round, or lines on the side on which the tool works. */
+  function fit(): void {
+    if (!seen) return;
+    const isFlat = work?.blank.length === 0;
+    eye.setBounds(isFlat && xDown ? { ...seen, low: -seen.high, high: -seen.low } : seen, isFlat);
+  }
+  const changeWork = () => {
+    changed = true;
+    ask();
+  };
+
+  const deaf = eye.subscribe(ask);
+  return {
+    setWork(next) {
+      for (const stop of heard) stop();
+      work = next;
+      const { moving, simulation } = next;
+      threads = moving && simulation
+        ? runThreads(next.steps, moving.stockAt, { stated: statedSteps(simulation), spindles: next.spindles })
+        : null;
+      [drawnRings, drawnKey] = [[], ""];
+      source.forget();
+      const chuck = chuckParts(next.blank, next.clamping);
+      stage.setChuck(chuck?.parts ?? []);
+      box = joined(boundsOf(next.blank.flat()), boundsOf(next.contours.flat().flatMap((s) => [s.from, s.to])));
+      const isFlat = next.blank.length === 0;
+      if (isFlat) box = joined(box, boundsOf(next.steps.flatMap(({ from, move }) => (move.kind === "rapid" ? [] : [from, move.to]))));
+      seen = joined(box, chuck?.seen ?? null);
+      fit();
+      heard = next.moving ? [next.moving.playback.subscribe(changeWork)] : [];
+      changeWork();
+    },
+    setLines(lines) {
+      stage.setLines(lines);
+      ask();
+    },
+    setTones(next) {
+      if (next.length === 0 && tones.length === 0) return;
+      [tones, toneTurn] = [next, toneTurn + 1];
+      changeWork();
+    },
+    setLook(look) {
+      [quarterCut, xDown] = [look.quarterCut, look.xDown];
+      stage.turnOver(look.xDown);
+      fit();
+      changeWork();
+    },
+    setSize(size, below) {
+      canvas = { size, below };
+      eye.setSize({ width: size.width, height: Math.max(1, size.height - below) });
+      stage.setSize(canvas.size, canvas.below, sharpRatio(canvas.size));
+      // A canvas that changes its size is empty: it is drawn before anybody sees that.
+      asked?.();
+      picture();
+    },
+    refresh: changeWork,
+    end() {
+      deaf();
+      source.forget();
+      for (const stop of heard) stop();
+      clearTimeout(resting);
+      asked?.();
+      asked = null;
+    },
+  };
+}

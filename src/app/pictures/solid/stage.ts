@@ -1,0 +1,229 @@
+import { AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, Group, LineBasicMaterial, LineSegments, Mesh as Triangles,
+  MeshPhongMaterial, PerspectiveCamera, Scene as Space, Sphere, WebGLRenderer, type Material } from "three";
+import type { Chip } from "../../../sim/chip/chip.ts";
+import type { Size } from "../../../view/camera.ts";
+import type { DrawnPart } from "../../../view/solid/furniture.ts";
+import type { Mesh } from "../../../view/solid/mesh.ts";
+import { eyeOf, FIELD, pixelAt, type Orbit } from "../../../view/solid/orbit.ts";
+import type { MomentBody } from "../../../view/solid/moment.ts";
+import { createChipStage } from "./chip-stage.ts";
+import { finishedSteel, LOOKS_ATTRIBUTE } from "./finish-material.ts";
+import { createPathStage, LINE_COLOURS, type StageLines } from "./path-stage.ts";
+import { hatched } from "./section-material.ts";
+import { chuckTones, LIGHT } from "./tone.ts";
+
+/** Colours of the page, by the custom properties that hold them. */
+export const STAGE_COLOURS = {
+  material: "--material",
+  turned: "--steel-turned",
+  hatch: "--material-hatch",
+  steelDark: "--steel-dark",
+  steelLight: "--steel-light",
+  line: "--contour",
+  surface: "--surface",
+  chuck: "--chuck",
+  chuckDark: "--chuck-dark",
+  insert: "--insert",
+  holder: "--holder",
+  residual: "--residual",
+  danger: "--danger",
+  accent: "--accent",
+  ...LINE_COLOURS,
+} as const;
+
+/** Bodies, light and eye on a canvas. Nothing is drawn but by `draw`. */
+export interface SolidStage {
+  /** The canvas, and how much of it lies below the picture, pixels of the page. */
+  readonly setSize: (size: Size, below: number, ratio: number) => void;
+  /**
+   * How much of it is drawn along each side, 0 … 1; that is shown larger. A canvas of another size would be another buffer on the graphics
+   * card, and the page would wait for it.
+   */
+  readonly setShare: (share: number) => void;
+  readonly setColours: (colours: Readonly<Record<keyof typeof STAGE_COLOURS, string>>) => void;
+  readonly setBodies: (bodies: readonly MomentBody[]) => void;
+  readonly setChuck: (parts: readonly DrawnPart[]) => void;
+  readonly setTool: (parts: readonly DrawnPart[]) => void;
+  /** Where the tip of the tool is, mm; null: there is none. */
+  readonly placeTool: (tip: { readonly z: number; readonly r: number } | null) => void;
+  /** What the running cut takes off; null where it takes nothing. */
+  readonly setChip: (chip: Chip | null) => void;
+  /** Path, or what is told by colour along it. */
+  readonly setLines: (lines: readonly StageLines[]) => void;
+  /** The step that runs: lines before it are done. */
+  readonly setStep: (step: number) => void;
+  /** X grows downwards. */
+  readonly turnOver: (down: boolean) => void;
+  /** `reach`: no body is farther from the centre, mm. */
+  readonly draw: (orbit: Orbit, size: Size, reach: number) => void;
+  /** Gives everything on the graphics card back. */
+  readonly dispose: () => void;
+}
+
+/** Pixels between two lines of a hatch. */
+const HATCH = 8;
+/** What stays is a layer too thin to be told by lines of a hatch: its ground has its colour, and lines are paler by this, 0 … 1. */
+const PALE = 0.3;
+
+function geometryOf({ positions, normals, index, looks }: Mesh): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(positions, 3));
+  geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+  geometry.setIndex(new BufferAttribute(index, 1));
+  if (looks) geometry.setAttribute(LOOKS_ATTRIBUTE, new BufferAttribute(looks, 2));
+  return geometry;
+}
+
+/** A surface that lies a hair behind the lines on it. */
+const shaded = (shininess: number, specular: number) =>
+  new MeshPhongMaterial({ shininess, specular, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+
+const EVERYWHERE = new Sphere();
+
+const drawnLine = (opacity: number) => new LineBasicMaterial({ transparent: true, opacity });
+
+function clear(group: Group): void {
+  for (const child of [...group.children]) {
+    if (child instanceof Triangles || child instanceof LineSegments) (child.geometry as BufferGeometry).dispose();
+    group.remove(child);
+  }
+}
+
+/** A stage on a canvas; null where the browser has no WebGL to give. */
+export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
+  const context = canvas.getContext("webgl2", { alpha: true, antialias: true });
+  if (!context) return null;
+  const renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: true });
+  renderer.setClearAlpha(0);
+  const space = new Space(), camera = new PerspectiveCamera((FIELD * 180) / Math.PI, 1, 1, 1000);
+  const key = new DirectionalLight(0xffffff, LIGHT.key);
+  key.position.set(...LIGHT.from);
+  // It shines along with the eye: its aim would stay where the work is, and it would shine from the eye itself.
+  camera.add(key, key.target);
+  camera.up.set(1, 0, 0);
+  const world = new Group(), work = new Group(), chuck = new Group(), tool = new Group();
+  const path = createPathStage(), chip = createChipStage();
+  world.add(work, chuck, tool, chip.group, path.group);
+  space.add(world, camera, new AmbientLight(0xffffff, LIGHT.around));
+
+  const steel = finishedSteel();
+  const surfaces = {
+    steel: steel.material,
+    residual: shaded(8, 0x111111),
+    gouge: shaded(8, 0x111111),
+    chuck: shaded(12, 0x111111),
+    jaw: shaded(12, 0x111111),
+    insert: shaded(30, 0x222222),
+    holder: shaded(16, 0x1a1a1a),
+  };
+  const sections = { steel: hatched(-1, 1), residual: hatched(1, 1), gouge: hatched(-1, 1) };
+  const lines = { work: drawnLine(0.55), parts: drawnLine(0.4) };
+
+  /** All of it is looked at: to ask whether it is in sight takes a walk over all its corners. */
+  const put = (group: Group, body: Triangles | LineSegments) => {
+    body.frustumCulled = false;
+    // Bodies are put in order by their distance, for which another walk over all corners would be taken.
+    (body.geometry as BufferGeometry).boundingSphere = EVERYWHERE;
+    group.add(body);
+  };
+  const add = (group: Group, mesh: Mesh, material: Material) => {
+    if (mesh.index.length > 0) put(group, new Triangles(geometryOf(mesh), material));
+  };
+  const addLines = (group: Group, edges: Float32Array, material: Material) => {
+    if (edges.length === 0) return;
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(edges, 3));
+    put(group, new LineSegments(geometry, material));
+  };
+  const setParts = (group: Group, parts: readonly DrawnPart[]) => {
+    clear(group);
+    for (const { role, mesh, edges } of parts) {
+      add(group, mesh, surfaces[role]);
+      addLines(group, edges, lines.parts);
+    }
+  };
+
+  let [canvasSize, share]: [Size, number] = [{ width: 1, height: 1 }, 1];
+  const drawShare = () => {
+    const { width, height } = canvasSize;
+    renderer.setViewport(0, 0, width * share, height * share);
+    renderer.setScissor(0, 0, width * share, height * share);
+    renderer.setScissorTest(share < 1);
+    canvas.style.transform = share < 1 ? `scale(${1 / share})` : "";
+    for (const each of [path, chip]) each.setShare(share);
+  };
+
+  return {
+    setShare(next) {
+      share = next;
+      drawShare();
+    },
+    setSize({ width, height }, below, ratio) {
+      canvasSize = { width, height };
+      renderer.setPixelRatio(ratio);
+      renderer.setSize(width, height, false);
+      const seen = Math.max(1, height - below);
+      camera.aspect = width / seen;
+      camera.setViewOffset(width, seen, 0, 0, width, height);
+      drawShare();
+    },
+    setColours(c) {
+      const tones = [c.tone0, c.tone1, c.tone2, c.tone3, c.tone4, c.tone5, c.tone6];
+      steel.colours({ steel: c.turned, dark: c.steelDark, light: c.steelLight, line: c.line, tones });
+      surfaces.residual.color.set(c.residual);
+      surfaces.gouge.color.set(c.danger);
+      const { chuck: body, jaw } = chuckTones(c);
+      surfaces.chuck.color.set(body);
+      surfaces.jaw.color.set(jaw);
+      surfaces.insert.color.set(c.insert);
+      surfaces.holder.color.set(c.holder);
+      sections.steel.colours(c.material, c.hatch);
+      sections.residual.colours(c.residual, new Color(c.residual).lerp(new Color(c.surface), PALE));
+      sections.gouge.colours(c.danger, c.danger);
+      for (const each of Object.values(lines)) each.color.set(c.line);
+      path.setColours(c);
+      chip.setColours(c.accent, c.surface);
+    },
+    setBodies(bodies) {
+      clear(work);
+      for (const { role, solid } of bodies) {
+        add(work, solid.surface, surfaces[role]);
+        add(work, solid.section, sections[role].material);
+        addLines(work, solid.edges, lines.work);
+      }
+    },
+    setChuck: (parts) => setParts(chuck, parts),
+    setTool: (parts) => setParts(tool, parts),
+    placeTool(tip) {
+      tool.visible = chip.group.visible = tip !== null;
+      if (tip) { for (const each of [tool, chip.group]) each.position.set(tip.r, 0, tip.z); }
+    },
+    setChip: chip.set,
+    setLines: path.set,
+    setStep: path.runs,
+    turnOver(down) {
+      world.scale.x = down ? -1 : 1;
+    },
+    draw(orbit, size, reach) {
+      camera.position.set(...eyeOf(orbit));
+      camera.lookAt(...orbit.centre);
+      camera.near = Math.max(orbit.distance / 50, orbit.distance - reach);
+      camera.far = orbit.distance + reach;
+      camera.updateProjectionMatrix();
+      const pixel = pixelAt(orbit, size);
+      for (const each of Object.values(sections)) each.pitch(HATCH * pixel);
+      path.setPixel(pixel);
+      renderer.render(space, camera);
+    },
+    dispose() {
+      for (const group of [work, chuck, tool]) clear(group);
+      path.dispose();
+      chip.dispose();
+      for (const each of [...Object.values(surfaces), ...Object.values(lines)]) each.dispose();
+      for (const { material } of Object.values(sections)) material.dispose();
+      renderer.dispose();
+      // A browser gives few contexts, and takes the oldest one away for the next: one that is not needed any more goes at once.
+      if (!canvas.isConnected) renderer.forceContextLoss();
+    },
+  };
+}
