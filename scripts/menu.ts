@@ -1,4 +1,4 @@
-import type { MenuCycle } from "../src/app/chooser/menu.ts";
+import type { MenuCycle } from "../src/app/fields/chooser/menu.ts";
 import type { Cycle, Outline } from "../src/cycles/define.ts";
 import { actingCycles, cuttingCycles } from "../src/cycles/index.ts";
 import { keptNumbers } from "../src/cycles/kept-cycles.ts";
@@ -70,7 +70,7 @@ export const menu: readonly MenuCycle[] = cuttingCycles.map(row);
 /** What is no work by itself: it can be put into a program. */
 const acting = actingCycles.map(row);
 
-/** The modules that the page imports by the names in src/app/chooser/cycle-menu.d.ts, by their ids. */
+/** The modules that the page imports by the names in src/app/fields/chooser/cycle-menu.d.ts, by their ids. */
 export function menuModules(): Readonly<Record<string, string>> {
   const id = "virtual:cycle-menu";
   const cases = LANGUAGES.map((language) => `${language}: () => import("${id}/${language}")`);

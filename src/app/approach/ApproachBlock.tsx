@@ -2,16 +2,16 @@ import { useCallback, useEffect, useMemo, useState } from "react";
 import { withBlock } from "../../nc/edit.ts";
 import { startLines } from "../../nc/program.ts";
 import { approachContext } from "../../program/approach-context.ts";
-import { parametersBefore } from "../editor/block-context.ts";
-import { watchTyped } from "../editor/half-typed.ts";
-import { editProgram, useSession } from "../editor/session.ts";
+import { parametersBefore } from "../fields/blocks/block-context.ts";
+import { watchTyped } from "../fields/blocks/half-typed.ts";
+import { editProgram, useSession } from "../fields/blocks/session.ts";
 import { useShownBeside } from "../document/shown-file.ts";
 import { useOutcome } from "../calculation/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import { openWordOf, useGuidedBlock } from "../place/guide-place.ts";
 import { useEditor } from "../document/store.ts";
 import { ApproachDialog } from "./ApproachDialog.tsx";
-import { isFresh, markFresh } from "./fresh-block.ts";
+import { isFresh, markFresh } from "../fields/blocks/fresh-block.ts";
 
 /** The dialog of the open APPR or DEP block of the program. One that was just put in begins with the choice of its form. */
 export function ApproachBlock({ problems }: { readonly problems: readonly FindingEntry[] }) {

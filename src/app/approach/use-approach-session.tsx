@@ -5,7 +5,7 @@ import { approachDraft, approachStatement, readApproach, SIDES, type ApproachDra
   type ApproachStatement } from "../../program/approach-draft.ts";
 import { approachFields, type ApproachField, type ApproachWord } from "../../program/approach-fields.ts";
 import type { ApproachContext } from "../../program/approach-request.ts";
-import type { Prompt, PromptSession } from "../dialog/session.ts";
+import type { Prompt, PromptSession } from "../fields/dialog/session.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";

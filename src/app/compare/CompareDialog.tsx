@@ -12,7 +12,7 @@ import { isWriting, tallyOf, type ComparedFile } from "./compared.ts";
 import { Differences, rowsIn } from "./Differences.tsx";
 import { OtherProgram } from "./OtherProgram.tsx";
 import type { OtherText, ShowBlock } from "../place/compare-place.ts";
-import { changedSinceOpened, presentProgram, withOtherText } from "./sides.ts";
+import { changedSinceOpened, presentProgram, withOtherText } from "../fields/compare/sides.ts";
 import { useProgramComparison, type ComparedPrograms } from "./use-compared.ts";
 import { laterTexts } from "../base/settings/later-texts.ts";
 import { useModal } from "../base/use-modal.ts";

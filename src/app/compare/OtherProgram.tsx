@@ -6,7 +6,7 @@ import { readWork } from "../records/device.ts";
 import { refreshWorks, useKeeping } from "../records/keep.ts";
 import { useEditor } from "../document/store.ts";
 import type { ProgramWork } from "../document/work.ts";
-import { asProgram, openedProgram, textOfFile, withOtherText, type Other } from "./sides.ts";
+import { asProgram, openedProgram, textOfFile, withOtherText, type Other } from "../fields/compare/sides.ts";
 import type { CompareTexts } from "../../i18n/en/compare.ts";
 
 /** Where the other program comes from, as the select holds it. */

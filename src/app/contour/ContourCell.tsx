@@ -3,8 +3,8 @@ import { flushSync } from "react-dom";
 import type { Language } from "../../i18n/languages.ts";
 import { sumOf } from "../../program/field.ts";
 import type { RowField } from "../../program/contour-rows.ts";
-import { isPlainNumber, minus } from "../dialog/number-entry.ts";
-import { inScreenWriting } from "../dialog/write-value.ts";
+import { isPlainNumber, minus } from "../fields/dialog/number-entry.ts";
+import { inScreenWriting } from "../fields/dialog/write-value.ts";
 import { closeStep } from "../document/steps.ts";
 import { whileTyping } from "../base/typing.ts";
 

@@ -6,7 +6,7 @@ import { anyNumber, readText, type Field } from "../../program/field.ts";
 import type { ContourRow } from "../../program/job.ts";
 import { dxfDefaults, readDxf, type DxfChoice } from "../../program/read-dxf.ts";
 import { contourDrawing } from "../../view/help/contour-drawing.ts";
-import { inScreenWriting } from "../dialog/write-value.ts";
+import { inScreenWriting } from "../fields/dialog/write-value.ts";
 import { Icon } from "../base/Icon.tsx";
 import { dxfText } from "./dxf-text.ts";
 import { openDxf, type OpenedDxf } from "./open-dxf.ts";

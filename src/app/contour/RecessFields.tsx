@@ -4,7 +4,7 @@ import { UNDERCUT_FORMS } from "../../kernel/undercut.ts";
 import type { ContourRow } from "../../program/job.ts";
 import { formWord } from "../../program/recess-words.ts";
 import { isDiameterWord, recessWords } from "../../program/row-given.ts";
-import { inScreenWriting } from "../dialog/write-value.ts";
+import { inScreenWriting } from "../fields/dialog/write-value.ts";
 import { closeStep } from "../document/steps.ts";
 
 interface Props {

@@ -1,7 +1,7 @@
 import { progressOfTask, stateOfTask } from "../../course/progress.ts";
 import { useCourseIndex, type LessonEntry } from "../records/course/content.ts";
 import { courseHref } from "../place/course-links.ts";
-import { GuideLinks } from "../guide/GuideLinks.tsx";
+import { GuideLinks } from "../fields/said/GuideLinks.tsx";
 import { BeginAnew } from "./BeginAnew.tsx";
 import { useLearning } from "../records/course/progress.ts";
 import { TaughtTasks } from "./teach/TaughtTasks.tsx";

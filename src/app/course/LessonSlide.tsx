@@ -4,7 +4,7 @@ import { cycleGiving } from "../../course/played.ts";
 import { cycleByNumber, type ParamTextId } from "../../cycles/index.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { ChoiceText } from "../../i18n/param-text.ts";
-import { unitOf } from "../dialog/write-value.ts";
+import { unitOf } from "../fields/dialog/write-value.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 

@@ -1,5 +1,5 @@
 import { Fragment } from "react";
-import { Said, SaidOnPage } from "../guide/Said.tsx";
+import { Said, SaidOnPage } from "../fields/said/Said.tsx";
 import { numbersApart } from "./numbers-apart.ts";
 import "./paragraphs.css";
 

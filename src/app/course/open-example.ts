@@ -1,6 +1,6 @@
 import { shippedList, sameList } from "../../program/tool-list.ts";
 import { programOfLines } from "../../course/start-of.ts";
-import { openProgram } from "../files/open-program.ts";
+import { openProgram } from "../fields/open/open-program.ts";
 import { useTools } from "../document/tool-store.ts";
 
 /** Opens a program of a lesson as a work, to play with; where the tools of this device are others it brings the shipped ones. */

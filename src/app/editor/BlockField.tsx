@@ -1,13 +1,13 @@
 import { useId, useRef, useState, type ReactNode } from "react";
 import type { Statement } from "../../nc/statement.ts";
 import { sumOf } from "../../program/field.ts";
-import { useNumberEntry } from "../dialog/use-number-entry.ts";
-import { inScreenWriting } from "../dialog/write-value.ts";
+import { useNumberEntry } from "../fields/dialog/use-number-entry.ts";
+import { inScreenWriting } from "../fields/dialog/write-value.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { closeStep } from "../document/steps.ts";
-import type { WordField } from "./field.ts";
+import type { WordField } from "../fields/blocks/field.ts";
 
 interface Props {
   readonly field: WordField;

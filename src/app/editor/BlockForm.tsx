@@ -3,11 +3,11 @@ import { isKept } from "../../cycles/kept-cycles.ts";
 import { withBlock } from "../../nc/edit.ts";
 import { blockNumbers, startLines } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
-import { FieldMessage } from "../dialog/FieldMessage.tsx";
+import { FieldMessage } from "../fields/dialog/FieldMessage.tsx";
 import type { FindingEntry } from "../findings/entry.ts";
 import { Icon } from "../base/Icon.tsx";
 import { CalledTool } from "../operations/CalledTool.tsx";
-import { DescribeCycle } from "../own/DescribeCycle.tsx";
+import { DescribeCycle } from "../fields/own/DescribeCycle.tsx";
 import { useGuidedBlock } from "../place/guide-place.ts";
 import { useOutcome, type Outcome } from "../calculation/outcome.ts";
 import { showFile, useShownBeside } from "../document/shown-file.ts";
@@ -17,10 +17,10 @@ import { useEditor } from "../document/store.ts";
 import { fileOf } from "../document/work.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { BlockField } from "./BlockField.tsx";
-import { fieldsOf } from "./block-fields.ts";
-import { kindOf } from "./block-kind.ts";
+import { fieldsOf } from "../fields/blocks/block-fields.ts";
+import { kindOf } from "../fields/blocks/block-kind.ts";
 import { BlockMore } from "./BlockMore.tsx";
-import { editProgram, openBlock, readWhole, useSession } from "./session.ts";
+import { editProgram, openBlock, readWhole, useSession } from "../fields/blocks/session.ts";
 
 /** Nothing offers a nearest value here. */
 const nothing = () => undefined;

@@ -1,10 +1,10 @@
 import { Suspense } from "react";
-import { MoreLater } from "../guide/MoreLater.tsx";
+import { MoreLater } from "../fields/said/MoreLater.tsx";
 import { useGuidedBlock } from "../place/guide-place.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useEditor } from "../document/store.ts";
-import type { BlockKind } from "./block-kind.ts";
-import type { WordField } from "./field.ts";
+import type { BlockKind } from "../fields/blocks/block-kind.ts";
+import type { WordField } from "../fields/blocks/field.ts";
 
 interface Props {
   readonly kind: BlockKind;

@@ -3,7 +3,7 @@ import { afterEach, beforeEach, expect, test } from "vitest";
 import { changeLanguage } from "../base/settings/settings.ts";
 import { begin, useEditor } from "../document/store.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
-import { closeSession, openSession } from "./session.ts";
+import { closeSession, openSession } from "../fields/blocks/session.ts";
 
 /** Opens a program as its workplace does, a moment after the panel stands. */
 function openProgram(text: string): void {

@@ -4,18 +4,18 @@ import { cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
 import { isKept } from "../../cycles/kept-cycles.ts";
 import type { Texts } from "../../i18n/index.ts";
 import { ApproachBlock } from "../approach/ApproachBlock.tsx";
-import { CycleDialog } from "../dialog/CycleDialog.tsx";
+import { CycleDialog } from "../fields/dialog/CycleDialog.tsx";
 import { Icon, type IconName } from "../base/Icon.tsx";
-import type { OwnBlock } from "../own/own-block.ts";
-import { OwnDialog } from "../own/OwnDialog.tsx";
+import type { OwnBlock } from "../fields/blocks/own-block.ts";
+import { OwnDialog } from "../fields/own/OwnDialog.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { duplicated, exchanged, removed } from "./block-edits.ts";
+import { duplicated, exchanged, removed } from "../fields/blocks/block-edits.ts";
 import { BlockForm } from "./BlockForm.tsx";
-import { kindOf } from "./block-kind.ts";
+import { kindOf } from "../fields/blocks/block-kind.ts";
 import { Palette } from "./Palette.tsx";
-import { countsInches } from "./block-prompts.ts";
-import { setBlockPrompt, setBlockPrompts, useOpenBlock } from "./open-block.ts";
-import { editProgram, ofText, openBlock, useSession } from "./session.ts";
+import { countsInches } from "../fields/blocks/block-prompts.ts";
+import { setBlockPrompt, setBlockPrompts, useOpenBlock } from "../fields/blocks/open-block.ts";
+import { editProgram, ofText, openBlock, useSession } from "../fields/blocks/session.ts";
 
 /** What a cycle is called on the screen; null for one that nobody here knows. */
 function nameOf(t: Texts, cycle: number, own: OwnBlock | null): string | null {

@@ -1,16 +1,16 @@
 import { useEffect, useRef, useState } from "react";
-import { markFresh } from "../approach/fresh-block.ts";
+import { markFresh } from "../fields/blocks/fresh-block.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
-import { CycleChooser } from "../chooser/CycleChooser.tsx";
+import { CycleChooser } from "../fields/chooser/CycleChooser.tsx";
 import { ownStatement } from "../../program/own-cycle.ts";
 import { Icon } from "../base/Icon.tsx";
 import type { Statement } from "../../nc/statement.ts";
-import { useOwnOffer } from "../own/OwnCycles.tsx";
+import { useOwnOffer } from "../fields/own/OwnCycles.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { inserted } from "./block-edits.ts";
+import { inserted } from "../fields/blocks/block-edits.ts";
 import { cycleStatement, palette, type Offered } from "./palette.ts";
-import { editProgram, useSession } from "./session.ts";
+import { editProgram, useSession } from "../fields/blocks/session.ts";
 
 const groups = [...new Set(palette.map((offered) => offered.group))];
 

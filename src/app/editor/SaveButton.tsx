@@ -7,7 +7,7 @@ import type { SaveHow } from "../records/files/save-back.ts";
 import { lazyPart, untilHere } from "../base/parts.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useEditor } from "../document/store.ts";
-import { handOverText } from "./session.ts";
+import { handOverText } from "../fields/blocks/session.ts";
 
 /** Fetched when a file is not written at once. */
 const SaveProblem = lazyPart(async () => ({ default: (await import("../records/files/SaveProblem.tsx")).SaveProblem }));

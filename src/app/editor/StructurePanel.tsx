@@ -3,13 +3,13 @@ import { useOutcome } from "../calculation/outcome.ts";
 import { KEEPS_KEYBOARD } from "../place/place.ts";
 import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { chooseOpenBlock } from "./choose-block.ts";
-import { partsOf, type Part, type PartFilter } from "./program-parts.ts";
-import { openBlock, useSession } from "./session.ts";
+import { chooseOpenBlock } from "../fields/blocks/choose-block.ts";
+import { partsOf, type Part, type PartFilter } from "../fields/blocks/program-parts.ts";
+import { openBlock, useSession } from "../fields/blocks/session.ts";
 import { useShownBeside } from "../document/shown-file.ts";
 import { useWindow } from "./use-window.ts";
 import { OperationList } from "../operations/OperationList.tsx";
-import { doneWords } from "../operations/words.ts";
+import { doneWords } from "../fields/blocks/words.ts";
 import { useToolList } from "../document/work-tools.ts";
 
 const FILTERS = ["operations", "all", "labels", "notes"] as const satisfies readonly ("all" | PartFilter)[];

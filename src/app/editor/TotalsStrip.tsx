@@ -17,7 +17,7 @@ import { useVerdict } from "../findings/use-findings.ts";
 import { VerdictText } from "../findings/VerdictText.tsx";
 import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { useSession } from "./session.ts";
+import { useSession } from "../fields/blocks/session.ts";
 
 /** How many tool calls of a text change the tool. */
 function toolCalls({ blocks }: Program): number {

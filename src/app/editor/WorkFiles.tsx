@@ -2,13 +2,13 @@ import { useEffect, useMemo, useRef, useState } from "react";
 import { useOutcome } from "../calculation/outcome.ts";
 import { askForFiles } from "../records/files/file-handle.ts";
 import { missingFiles } from "../calculation/missing-files.ts";
-import { addFiles } from "../files/open-program.ts";
+import { addFiles } from "../fields/open/open-program.ts";
 import { Icon } from "../base/Icon.tsx";
 import { fileKey } from "../../program/program-files.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { changeProgram, useEditor } from "../document/store.ts";
 import { filesOf, withMain, withoutFile, type ProgramWork } from "../document/work.ts";
-import { sessionView } from "./session.ts";
+import { sessionView } from "../fields/blocks/session.ts";
 import { showFile, useShownName } from "../document/shown-file.ts";
 import "./work-files.css";
 

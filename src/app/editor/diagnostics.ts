@@ -6,7 +6,7 @@ import type { Lengths } from "../../i18n/lengths.ts";
 import { blockAt } from "../../nc/reread.ts";
 import type { RunFinding } from "../../program/run-types.ts";
 import { issueText, placeInFile } from "../calculation/issue-text.ts";
-import { readingField } from "./reading-field.ts";
+import { readingField } from "../fields/blocks/reading-field.ts";
 
 /** More marks than these would say no more. */
 const MOST = 1500;

@@ -4,10 +4,10 @@ import { withBlock } from "../../nc/edit.ts";
 import { parse } from "../../nc/parse.ts";
 import { print } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
-import { fieldsOf } from "./block-fields.ts";
-import { readingOfBlock, withPrompt } from "./block-prompts.ts";
+import { fieldsOf } from "../fields/blocks/block-fields.ts";
+import { readingOfBlock, withPrompt } from "../fields/blocks/block-prompts.ts";
 import { cycleStatement, palette } from "./palette.ts";
-import { partsOf } from "./program-parts.ts";
+import { partsOf } from "../fields/blocks/program-parts.ts";
 
 const samples = import.meta.glob<string>("../../../tests/programs/**/*.h", { query: "?raw", import: "default", eager: true });
 const programs = Object.values(samples).map(parse);

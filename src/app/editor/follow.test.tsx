@@ -12,7 +12,7 @@ import { forgetOutcome, useOutcome, type Planned } from "../calculation/outcome.
 import { playback } from "../calculation/playback.ts";
 import { filesOf } from "../document/work.ts";
 import { followProgram } from "./follow.ts";
-import { closeSession, openBlock, openSession, sessionText, sessionView } from "./session.ts";
+import { closeSession, openBlock, openSession, sessionText, sessionView } from "../fields/blocks/session.ts";
 
 const BEFORE = "0 BEGIN PGM A MM\n1 TOOL CALL 1\n", AFTER = "\n2 M30\n3 END PGM A MM\n";
 const WRITTEN = "CYCL DEF 811 SHOULDER, LONGITDNL. ~\nQ215=+0 ;MACHINING OPERATION ~\nQ460=+2.3 ;SAFETY CLEARANCE ~\nQ493=+41.7";

@@ -5,7 +5,7 @@ import { definitionOf } from "../../program/path-index.ts";
 import type { Run } from "../../program/run-types.ts";
 import { shownBlock, showsPlane, useAskedView } from "../pictures/plane/shown-view.ts";
 import { showFile } from "../document/shown-file.ts";
-import { openBlock, readWhole, useSession } from "./session.ts";
+import { openBlock, readWhole, useSession } from "../fields/blocks/session.ts";
 
 /** Opens the block of the program that a step comes from; of a called program the one that calls it. */
 function openOwn(run: Run, step: number): void {

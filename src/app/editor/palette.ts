@@ -5,7 +5,7 @@ import { ncLabels } from "../../i18n/nc-labels.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { Statement, Words } from "../../nc/statement.ts";
 import { noWords } from "../../program/typed-value.ts";
-import type { BlockKind } from "./block-kind.ts";
+import type { BlockKind } from "../fields/blocks/block-kind.ts";
 
 type Group = keyof EditorTexts["groups"];
 

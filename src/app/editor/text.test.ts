@@ -2,9 +2,9 @@ import * as fc from "fast-check";
 import { expect, test } from "vitest";
 import { parse } from "../../nc/parse.ts";
 import { print } from "../../nc/program.ts";
-import { changesBetween, duplicated, exchanged, inserted, removed, type TextChange } from "./block-edits.ts";
+import { changesBetween, duplicated, exchanged, inserted, removed, type TextChange } from "../fields/blocks/block-edits.ts";
 import { decode, encode } from "../document/encoding.ts";
-import { fromEditor, lineEndsOf, toEditor } from "./line-ends.ts";
+import { fromEditor, lineEndsOf, toEditor } from "../fields/blocks/line-ends.ts";
 
 const text = "0 BEGIN PGM A MM\n1 L X+10 Z+2 R0 FMAX\n2 L Z-5 ;cut\n3 M30\n4 END PGM A MM\n";
 const applied = (from: string, changes: readonly TextChange[]) =>

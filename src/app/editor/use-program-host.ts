@@ -1,11 +1,11 @@
 import { useMemo } from "react";
-import { writeTyped } from "../dialog/write-value.ts";
+import { writeTyped } from "../fields/dialog/write-value.ts";
 import { useOutcome } from "../calculation/outcome.ts";
 import type { FindingEntry } from "../findings/entry.ts";
 import type { FindingsHost, Mend } from "../findings/host.ts";
 import { askForFiles } from "../records/files/file-handle.ts";
 import { missingFile } from "../calculation/missing-files.ts";
-import { addFiles } from "../files/open-program.ts";
+import { addFiles } from "../fields/open/open-program.ts";
 import { showFile, useShownBeside } from "../document/shown-file.ts";
 import { isIn, ownPlace } from "../document/shown-findings.ts";
 import { placeInFile } from "../calculation/issue-text.ts";
@@ -18,10 +18,10 @@ import { fixOf } from "./diagnostics.ts";
 import { fileKey } from "../../program/program-files.ts";
 import { useEditor } from "../document/store.ts";
 import { fileOf } from "../document/work.ts";
-import { isPresent } from "./present.ts";
-import type { Repair } from "./repair.ts";
-import { indexOf, repairsOf, toolCallBefore, withTool } from "./repairs.ts";
-import { dispatchEdit, editProgram, openBlock, readWhole, sessionView, useSession } from "./session.ts";
+import { isPresent } from "../fields/blocks/present.ts";
+import type { Repair } from "../fields/blocks/repair.ts";
+import { indexOf, repairsOf, toolCallBefore, withTool } from "../fields/blocks/repairs.ts";
+import { dispatchEdit, editProgram, openBlock, readWhole, sessionView, useSession } from "../fields/blocks/session.ts";
 
 /** Decimals of offered values. */
 const DECIMALS = 4;

@@ -1,6 +1,6 @@
 import { useLayoutEffect, useState } from "react";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
-import { openDropped } from "./open-program.ts";
+import { openDropped } from "../fields/open/open-program.ts";
 
 const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
 

@@ -5,7 +5,7 @@ import { SPINDLE, type Advice } from "../../report/advice/advise.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { keepFocus } from "./keep-focus.ts";
 import { takeValue, useTaking } from "./take-value.ts";
-import { useAdviceTexts } from "./use-advice.ts";
+import { useAdviceTexts } from "../fields/said/use-advice.ts";
 
 /** One piece of advice in words. */
 function adviceText(t: AdviceTexts, language: Language, { code, data, better }: Advice): string {

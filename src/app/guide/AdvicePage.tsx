@@ -5,7 +5,7 @@ import { AdviceItems } from "./AdviceItems.tsx";
 import { CuttingDataTable } from "./CuttingDataTable.tsx";
 import { MaterialChoice } from "./MaterialChoice.tsx";
 import { StartingValues } from "./StartingValues.tsx";
-import { useAdvisedCalls, useAdviceTexts } from "./use-advice.ts";
+import { useAdvisedCalls, useAdviceTexts } from "../fields/said/use-advice.ts";
 
 /** All advice on the open work, its material, and the cutting data that it goes by. */
 export function AdvicePage() {

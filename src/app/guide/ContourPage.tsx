@@ -6,9 +6,9 @@ import { newRow, type ContourRow } from "../../program/job.ts";
 import { segmentData } from "../../view/path.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { Said, SaidList, SaidOnPage } from "./Said.tsx";
+import { Said, SaidList, SaidOnPage } from "../fields/said/Said.tsx";
 import { useGuidePlaces } from "./use-guide-places.ts";
-import { useGuideTexts } from "./use-guide-texts.ts";
+import { useGuideTexts } from "../fields/said/use-guide-texts.ts";
 
 /** Elements with a size of their own, each at a small, a usual and a large one, mm. */
 const SIZED = [["RND", [2, 5, 9]], ["CHF", [1, 3, 7]], ["CR", [14, 20, 60]]] as const;

@@ -5,7 +5,7 @@ import { ISO_GROUPS, readCuttingTable, usualTable, writeCuttingTable, type CutMa
 import { downloadText } from "../base/download.ts";
 import { Icon } from "../base/Icon.tsx";
 import { changeSettings, useSettings } from "../base/settings/settings.ts";
-import { useAdviceTexts, useCuttingTable } from "./use-advice.ts";
+import { useAdviceTexts, useCuttingTable } from "../fields/said/use-advice.ts";
 
 const NUMBERS = ["roughSpeed", "roughFeed", "finishSpeed", "finishFeed", "kc11", "mc"] as const;
 

@@ -2,11 +2,11 @@ import type { Cycle } from "../../cycles/define.ts";
 import { isRecalled } from "../../cycles/params.ts";
 import type { CycleNumber, ParamTextId } from "../../cycles/index.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { Said, SaidList, SaidOnPage } from "./Said.tsx";
+import { Said, SaidList, SaidOnPage } from "../fields/said/Said.tsx";
 import { showGuide } from "../place/guide-place.ts";
 import { StepPlayer } from "./StepPlayer.tsx";
 import { useCycleRun } from "./use-cycle-run.ts";
-import { useGuideTexts } from "./use-guide-texts.ts";
+import { useGuideTexts } from "../fields/said/use-guide-texts.ts";
 
 /** The numbered steps of a cycle as they run. */
 function CycleSteps({ cycle }: { readonly cycle: Cycle }) {

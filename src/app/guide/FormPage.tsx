@@ -18,13 +18,13 @@ import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { formAtValues, namedAt, sizedWords, type FormAtValue, type SizedWord } from "./form-values.ts";
 import { GuideButton } from "./GuideButton.tsx";
-import { Said, SaidList, SaidOnPage } from "./Said.tsx";
+import { Said, SaidList, SaidOnPage } from "../fields/said/Said.tsx";
 import { keepFocus } from "./keep-focus.ts";
 import { takeIntoForm } from "./take-value.ts";
-import { useAdviceTexts } from "./use-advice.ts";
+import { useAdviceTexts } from "../fields/said/use-advice.ts";
 import { useFormSource, type FormSource } from "./use-form-source.ts";
 import { useGuidePlaces } from "./use-guide-places.ts";
-import { useGuideTexts } from "./use-guide-texts.ts";
+import { useGuideTexts } from "../fields/said/use-guide-texts.ts";
 import "../pictures/help/help.css";
 import "../pictures/plane/approach.css";
 

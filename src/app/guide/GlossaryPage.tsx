@@ -2,10 +2,10 @@ import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import { TERMS, type TermId } from "../../i18n/glossary-text.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { showGuide } from "../place/guide-place.ts";
-import { Said, SaidOnPage } from "./Said.tsx";
+import { Said, SaidOnPage } from "../fields/said/Said.tsx";
 import { TermUses } from "./TermUses.tsx";
-import { useGlossary } from "./use-glossary.ts";
-import { useGuideTexts } from "./use-guide-texts.ts";
+import { useGlossary } from "../fields/said/use-glossary.ts";
+import { useGuideTexts } from "../fields/said/use-guide-texts.ts";
 
 /** A text as it is sought: small letters, no accents. */
 const plain = (text: string) => text.normalize("NFD").replaceAll(/\p{M}/gu, "").toLowerCase();

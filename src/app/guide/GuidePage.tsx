@@ -18,10 +18,10 @@ import { isSetupPage, SETUP_PAGES, type SetupPageId } from "./setup-variants.ts"
 import { setupPageWords } from "./setup-page-words.ts";
 import { SetupPlacePage } from "./SetupPlacePage.tsx";
 import { Taken } from "./Taken.tsx";
-import { useAdviceTexts } from "./use-advice.ts";
+import { useAdviceTexts } from "../fields/said/use-advice.ts";
 import { useGuideBlocks } from "./use-guide-blocks.ts";
 import { useGuidePlaces } from "./use-guide-places.ts";
-import { useGuideTexts } from "./use-guide-texts.ts";
+import { useGuideTexts } from "../fields/said/use-guide-texts.ts";
 import "./guide.css";
 
 /** All cycles, then the other prompts, each leading to its own page. */

@@ -1,7 +1,7 @@
 import { setMaterial } from "../document/edits.ts";
 import { changeSettings, useSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../document/store.ts";
-import { useAdviceTexts, useCuttingTable, useMaterialOfWork } from "./use-advice.ts";
+import { useAdviceTexts, useCuttingTable, useMaterialOfWork } from "../fields/said/use-advice.ts";
 
 function Materials() {
   const { materials } = useCuttingTable();

@@ -3,7 +3,7 @@ import { OWN_DECIMALS, type OwnCycle } from "../../program/own-cycle.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { useGuideTexts } from "./use-guide-texts.ts";
+import { useGuideTexts } from "../fields/said/use-guide-texts.ts";
 
 /** The page of a cycle that the operator has described, one of its parameters first: what is known of it, and that nobody here runs it. */
 export function OwnCyclePage({ own, q }: { readonly own: OwnCycle; readonly q: string | null }) {

@@ -2,9 +2,9 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { showGuide, type GuidePath } from "../place/guide-place.ts";
-import { useAdviceOn, useAdviceTextsSoon } from "./use-advice.ts";
-import { useGuideTextsSoon } from "./use-guide-texts.ts";
-import "./prompt-more.css";
+import { useAdviceOn, useAdviceTextsSoon } from "../fields/said/use-advice.ts";
+import { useGuideTextsSoon } from "../fields/said/use-guide-texts.ts";
+import "../fields/said/prompt-more.css";
 
 /** A quiet mark where there is advice on the value of a prompt. */
 function AdviceMark({ cycle, q }: { readonly cycle: number; readonly q: string }) {

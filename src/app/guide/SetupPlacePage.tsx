@@ -8,14 +8,14 @@ import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useEditor } from "../document/store.ts";
 import { useToolList } from "../document/work-tools.ts";
-import { Said, SaidList, SaidOnPage } from "./Said.tsx";
+import { Said, SaidList, SaidOnPage } from "../fields/said/Said.tsx";
 import { showGuide } from "../place/guide-place.ts";
 import { setupPageWords } from "./setup-page-words.ts";
 import { SETUP_PAGES, type SetupPageId } from "./setup-variants.ts";
 import { takeSetup } from "./take-value.ts";
 import { StartingValues } from "./StartingValues.tsx";
 import { useGuidePlaces } from "./use-guide-places.ts";
-import { useGuideTexts } from "./use-guide-texts.ts";
+import { useGuideTexts } from "../fields/said/use-guide-texts.ts";
 import { useTriedSetup } from "./use-tried-setup.ts";
 import { ValueCard } from "./ValueCard.tsx";
 

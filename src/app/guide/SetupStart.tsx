@@ -4,7 +4,7 @@ import { SPINDLE } from "../../report/advice/advise.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { startingValues } from "./starting.ts";
 import { StartingRows } from "./StartingRows.tsx";
-import { useAdviceTexts, useMaterialOfWork } from "./use-advice.ts";
+import { useAdviceTexts, useMaterialOfWork } from "../fields/said/use-advice.ts";
 import { WorkMaterial } from "./MaterialChoice.tsx";
 import "./setup-start.css";
 

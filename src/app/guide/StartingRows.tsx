@@ -3,7 +3,7 @@ import { SPINDLE } from "../../report/advice/advise.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import type { StartingValue } from "./starting.ts";
 import { takeValue, useTaking } from "./take-value.ts";
-import { useAdviceTexts } from "./use-advice.ts";
+import { useAdviceTexts } from "../fields/said/use-advice.ts";
 import "./setup-start.css";
 
 /** Starting values, each with the way into the work. */

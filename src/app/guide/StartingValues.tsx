@@ -1,7 +1,7 @@
 import type { Cycle } from "../../cycles/define.ts";
 import { startingValues } from "./starting.ts";
 import { StartingRows } from "./StartingRows.tsx";
-import { useAdviceTexts, useMaterialOfWork } from "./use-advice.ts";
+import { useAdviceTexts, useMaterialOfWork } from "../fields/said/use-advice.ts";
 
 /** Starting values of the material for the feeds of a cycle and for the speed: of one prompt, or of all; nothing where none is for it. */
 export function StartingValues({ cycle, only = null }: { readonly cycle: Cycle; readonly only?: string | null }) {

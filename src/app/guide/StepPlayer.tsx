@@ -18,7 +18,7 @@ import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { CutPicture } from "./CutPicture.tsx";
 import type { CycleRun } from "./use-cycle-run.ts";
-import { useGuideTexts } from "./use-guide-texts.ts";
+import { useGuideTexts } from "../fields/said/use-guide-texts.ts";
 
 /** Milliseconds in a second of the clock. */
 const SECOND = 1000;

@@ -5,7 +5,7 @@ import { useSettings } from "../base/settings/settings.ts";
 import { undo } from "../document/steps.ts";
 import { keepFocus } from "./keep-focus.ts";
 import { forgetTaken, useTaken } from "./taken.ts";
-import { useGuideTexts } from "./use-guide-texts.ts";
+import { useGuideTexts } from "../fields/said/use-guide-texts.ts";
 
 /** Says which value was taken over from this page into the work, and takes it back. */
 export function Taken({ page }: { readonly page: string }) {

@@ -8,9 +8,9 @@ import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { setupPageWords } from "./setup-page-words.ts";
 import { usesTerm, usingParameters, usingSetupPages } from "./term-uses.ts";
-import { useGlossary } from "./use-glossary.ts";
+import { useGlossary } from "../fields/said/use-glossary.ts";
 import { useGuidePlaces } from "./use-guide-places.ts";
-import { useGuideTexts } from "./use-guide-texts.ts";
+import { useGuideTexts } from "../fields/said/use-guide-texts.ts";
 
 /** A page of a lesson that uses a word first. */
 interface UsingLesson {

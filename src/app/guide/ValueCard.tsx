@@ -10,8 +10,8 @@ import { useSettings } from "../base/settings/settings.ts";
 import { CutPicture } from "./CutPicture.tsx";
 import { keepFocus } from "./keep-focus.ts";
 import type { TriedOutcome } from "./tried.ts";
-import { useAdviceTexts } from "./use-advice.ts";
-import { useGuideTexts } from "./use-guide-texts.ts";
+import { useAdviceTexts } from "../fields/said/use-advice.ts";
+import { useGuideTexts } from "../fields/said/use-guide-texts.ts";
 
 /** What a value changes against the usual one, in words. */
 function changeText(t: GuideTexts, language: Language, { passes, seconds, residual, rz, part, way }: ShownChange): string {

@@ -5,9 +5,9 @@ import { formatNumber } from "../../i18n/number.ts";
 import { CycleInWork } from "../calculation/issue-text.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import { unitOf } from "../dialog/write-value.ts";
+import { unitOf } from "../fields/dialog/write-value.ts";
 import { takeValue, useTaking } from "./take-value.ts";
-import { useGuideTexts } from "./use-guide-texts.ts";
+import { useGuideTexts } from "../fields/said/use-guide-texts.ts";
 import { useTriedValues } from "./use-tried-values.ts";
 import { ValueCard } from "./ValueCard.tsx";
 

@@ -1,7 +1,7 @@
 import { cuttingCycles } from "../../cycles/index.ts";
 import { never } from "../../kernel/never.ts";
 import { exampleJob } from "../../program/job.ts";
-import type { BlockKind } from "../editor/block-kind.ts";
+import type { BlockKind } from "../fields/blocks/block-kind.ts";
 import { printedText } from "../document/printed.ts";
 
 /** The block that a sample is of begins with this. */

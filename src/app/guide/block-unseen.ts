@@ -1,5 +1,5 @@
 import type { GuideBlocksTexts } from "../../i18n/en/guide-blocks.ts";
-import type { BlockKind } from "../editor/block-kind.ts";
+import type { BlockKind } from "../fields/blocks/block-kind.ts";
 
 /** Why a word of a block has no live picture. */
 export type UnseenReason = Exclude<keyof GuideBlocksTexts["why"], "yours">;

@@ -1,6 +1,6 @@
 import type { GuideBlocksTexts } from "../../i18n/en/guide-blocks.ts";
 import type { GuidePlacesTexts } from "../../i18n/en/guide-places.ts";
-import type { BlockKind } from "../editor/block-kind.ts";
+import type { BlockKind } from "../fields/blocks/block-kind.ts";
 import type { SetupPageId } from "./setup-variants.ts";
 
 /** What is said about a word of a block. */

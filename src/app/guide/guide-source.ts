@@ -15,7 +15,7 @@ import { handedOn, useEditor } from "../document/store.ts";
 import { toolTable } from "../document/work-tools.ts";
 import { useShownBeside } from "../document/shown-file.ts";
 import { useOpenCall } from "../place/guide-place.ts";
-import { speaksOf } from "./open-call.ts";
+import { speaksOf } from "../fields/said/open-call.ts";
 
 /** What the guide shows a cycle with: the operator's own values, or those of the example. */
 export interface GuideSource {

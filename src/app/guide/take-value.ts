@@ -1,7 +1,7 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { SPINDLE } from "../../report/advice/advise.ts";
 import { setPrompt, setSpindle } from "../document/edits.ts";
-import type { BlockKind } from "../editor/block-kind.ts";
+import type { BlockKind } from "../fields/blocks/block-kind.ts";
 import { untilHere } from "../base/parts.ts";
 import { closeStep } from "../document/steps.ts";
 import { edit, useEditor } from "../document/store.ts";
@@ -26,7 +26,7 @@ export async function takeValue(cycle: number, at: string, value: number | "auto
   }
   const call = openCallOf(cycle, work, useOpenCall.getState().call);
   if (!call) return;
-  const { takeIntoCall } = await untilHere(() => import("../editor/take-into-call.ts"));
+  const { takeIntoCall } = await untilHere(() => import("../fields/blocks/take-into-call.ts"));
   if (useEditor.getState().work === work) takeOver(at, shown, () => takeIntoCall(call, at, text));
 }
 
@@ -49,13 +49,13 @@ export function useTaking(cycle: number): (at: string) => boolean {
 /** Writes a size, mm or degrees, into the APPR or DEP block of a line, whose prompts were open, as a step of undo of its own. */
 export async function takeIntoForm(line: number, word: SizedWord, size: number): Promise<void> {
   const { work } = useEditor.getState();
-  const { writeIntoForm } = await untilHere(() => import("../editor/take-into-form.ts"));
+  const { writeIntoForm } = await untilHere(() => import("../fields/blocks/take-into-form.ts"));
   if (useEditor.getState().work === work) takeOver(word, size, () => writeIntoForm(line, word, size));
 }
 
 /** Writes a text into a word of the block of a line, whose form was open, as a step of undo of its own. `letter`: how that is told. */
 export async function takeIntoBlock(line: number, kind: BlockKind, word: string, text: string, letter: string): Promise<void> {
   const { work } = useEditor.getState();
-  const { writeIntoBlock } = await untilHere(() => import("../editor/take-into-block.ts"));
+  const { writeIntoBlock } = await untilHere(() => import("../fields/blocks/take-into-block.ts"));
   if (useEditor.getState().work === work) takeOver(letter, text, () => writeIntoBlock(line, kind, word, text));
 }

@@ -3,7 +3,7 @@ import type { GlossaryTexts, TermId } from "../../i18n/glossary-text.ts";
 import type { GuidePlacesTexts } from "../../i18n/en/guide-places.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { SETUP_PAGES, type SetupPageId } from "./setup-variants.ts";
-import { termParts } from "./term-parts.ts";
+import { termParts } from "../fields/said/term-parts.ts";
 import { termsOf } from "./terms.ts";
 
 /** A parameter whose page speaks of a word: where it stands first, and how its text is called. */

@@ -8,7 +8,7 @@ import { approachDraft, readApproach, type ApproachDraft } from "../../program/a
 import { shapeOf } from "../../program/approach-fields.ts";
 import { readyApproach, wordsOfPoint, type ApproachContext, type ReadyApproach } from "../../program/approach-request.ts";
 import { suggestedForms } from "../../view/approach/forms.ts";
-import { parametersBefore } from "../editor/block-context.ts";
+import { parametersBefore } from "../fields/blocks/block-context.ts";
 import { useOutcome } from "../calculation/outcome.ts";
 import { shownFile, useShownBeside } from "../document/shown-file.ts";
 import { useEditor } from "../document/store.ts";

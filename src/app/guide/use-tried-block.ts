@@ -1,7 +1,7 @@
 import { useCallback } from "react";
 import type { Box } from "../../kernel/geometry/segments.ts";
-import type { BlockKind } from "../editor/block-kind.ts";
-import { spreadOf, textsBeside } from "../editor/block-guide.ts";
+import type { BlockKind } from "../fields/blocks/block-kind.ts";
+import { spreadOf, textsBeside } from "../fields/blocks/block-guide.ts";
 import { outcomeBeside } from "../calculation/beside.ts";
 import type { Outcome } from "../calculation/outcome.ts";
 import { toolTable } from "../document/work-tools.ts";

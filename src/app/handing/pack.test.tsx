@@ -5,7 +5,7 @@ import { EXAMPLE_MACHINES } from "../../program/example-machines.ts";
 import { machineOf, writeMachine } from "../../program/machine-file.ts";
 import { shippedList } from "../../program/tool-list.ts";
 import { reported } from "../calculation/reported.ts";
-import { openText } from "../files/open-program.ts";
+import { openText } from "../fields/open/open-program.ts";
 import { readArchive } from "../records/archive.ts";
 import { changeSettings } from "../base/settings/settings.ts";
 import { begin, handedOn, useEditor } from "../document/store.ts";

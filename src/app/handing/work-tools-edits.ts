@@ -3,7 +3,7 @@ import { print } from "../../nc/program.ts";
 import { fileKey } from "../../program/program-files.ts";
 import { withCalls } from "../../program/renumber-calls.ts";
 import { keptBeside, renumberedTools, type KeepAs, type KeptTools, type ToolBeside } from "../../program/tool-difference.ts";
-import { editProgram, sessionView, useSession } from "../editor/session.ts";
+import { editProgram, sessionView, useSession } from "../fields/blocks/session.ts";
 import { shownFile } from "../document/shown-file.ts";
 import { setJobOf } from "../document/reading.ts";
 import { asOneStep } from "../document/steps.ts";

@@ -1,7 +1,7 @@
 import { useId, useRef } from "react";
 import { readText, sumOf, type Field } from "../../program/field.ts";
-import { useNumberEntry } from "../dialog/use-number-entry.ts";
-import { inScreenWriting } from "../dialog/write-value.ts";
+import { useNumberEntry } from "../fields/dialog/use-number-entry.ts";
+import { inScreenWriting } from "../fields/dialog/write-value.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 

@@ -1,11 +1,11 @@
 import { Suspense, useState } from "react";
 import type { Statement, StatementOf } from "../../nc/statement.ts";
 import { definesCycle } from "../../program/operations.ts";
-import { useSession } from "../editor/session.ts";
+import { useSession } from "../fields/blocks/session.ts";
 import { Icon } from "../base/Icon.tsx";
 import { InsertDrawing } from "../pictures/lathe/InsertDrawing.tsx";
 import { lazyPart } from "../base/parts.ts";
-import { ToolWords } from "../setup/tool-words.tsx";
+import { ToolWords } from "../fields/setup/tool-words.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useToolList } from "../document/work-tools.ts";
 import "./operations.css";

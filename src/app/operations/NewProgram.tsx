@@ -2,7 +2,7 @@ import { useLayoutEffect, useRef, useState } from "react";
 import { emptyProgram } from "../../program/empty-program.ts";
 import { SETUP_FIELDS as FIELDS } from "../../program/setup-fields.ts";
 import type { BlankDraft } from "../../program/job.ts";
-import { openText } from "../files/open-program.ts";
+import { openText } from "../fields/open/open-program.ts";
 import { Icon } from "../base/Icon.tsx";
 import { usePlace } from "../place/place.ts";
 import { useTexts } from "../base/settings/use-texts.ts";

@@ -1,14 +1,14 @@
 import { useRef } from "react";
-import { Drawing } from "../chooser/Drawing.tsx";
-import { menuCycle } from "../chooser/menu.ts";
-import { chooseOpenBlock } from "../editor/choose-block.ts";
-import { openBlock } from "../editor/session.ts";
+import { Drawing } from "../fields/chooser/Drawing.tsx";
+import { menuCycle } from "../fields/chooser/menu.ts";
+import { chooseOpenBlock } from "../fields/blocks/choose-block.ts";
+import { openBlock } from "../fields/blocks/session.ts";
 import { Icon, type IconName } from "../base/Icon.tsx";
 import { InsertDrawing } from "../pictures/lathe/InsertDrawing.tsx";
 import { useLengths } from "../calculation/lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
-import type { OperationRow } from "./operation-rows.ts";
-import { cycleWords, doneWords, titleOf } from "./words.ts";
+import type { OperationRow } from "../fields/blocks/operation-rows.ts";
+import { cycleWords, doneWords, titleOf } from "../fields/blocks/words.ts";
 
 export type OperationAct = "open" | "insert" | "duplicate" | "up" | "down" | "switch" | "retool" | "remove";
 

@@ -1,8 +1,8 @@
 import { Suspense, useEffect, useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
 import type { Refusal } from "../../program/operation-edits.ts";
-import { openBlock, useSession } from "../editor/session.ts";
-import { chooseOpenBlock } from "../editor/choose-block.ts";
-import { isPresent } from "../editor/present.ts";
+import { openBlock, useSession } from "../fields/blocks/session.ts";
+import { chooseOpenBlock } from "../fields/blocks/choose-block.ts";
+import { isPresent } from "../fields/blocks/present.ts";
 import { useOutcome } from "../calculation/outcome.ts";
 import { useShownBeside } from "../document/shown-file.ts";
 import { findingsHere } from "../document/shown-findings.ts";
@@ -13,9 +13,9 @@ import { useTexts } from "../base/settings/use-texts.ts";
 import { useToolList } from "../document/work-tools.ts";
 import { duplicateOperation, moveOperation, removeOperation, retoolOperation, switchOperation } from "./change-operation.ts";
 import { askForOperation } from "../document/inserting.ts";
-import { operationRows, type OperationRow } from "./operation-rows.ts";
+import { operationRows, type OperationRow } from "../fields/blocks/operation-rows.ts";
 import { OperationItem, type OperationAct } from "./OperationItem.tsx";
-import { titleOf } from "./words.ts";
+import { titleOf } from "../fields/blocks/words.ts";
 import "./operations.css";
 
 const ToolDialog = lazyPart(async () => ({ default: (await import("./ToolDialog.tsx")).ToolDialog }));

@@ -1,7 +1,7 @@
 import type { Tool } from "../../kernel/tool.ts";
 import type { ToolFit } from "../../program/which-tool.ts";
 import { InsertDrawing } from "../pictures/lathe/InsertDrawing.tsx";
-import { ToolWords, useToolDetails, useToolVerdict } from "../setup/tool-words.tsx";
+import { ToolWords, useToolDetails, useToolVerdict } from "../fields/setup/tool-words.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useToolList } from "../document/work-tools.ts";
 

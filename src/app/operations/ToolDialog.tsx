@@ -1,6 +1,6 @@
 import { useLayoutEffect, useRef } from "react";
 import { startLines } from "../../nc/program.ts";
-import { useSession } from "../editor/session.ts";
+import { useSession } from "../fields/blocks/session.ts";
 import { useFitsOfLine } from "../calculation/fits.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";

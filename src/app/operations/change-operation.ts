@@ -2,10 +2,10 @@ import type { Program } from "../../nc/program.ts";
 import { duplicatedOperation, isRefused, movedOperation, retooledOperation, switchedOperation, withoutOperation,
   type Refusal } from "../../program/operation-edits.ts";
 import { isOff, operationsOf } from "../../program/operations.ts";
-import { editProgram, useSession } from "../editor/session.ts";
+import { editProgram, useSession } from "../fields/blocks/session.ts";
 import { asOneStep } from "../document/steps.ts";
 import { changeProgram, useEditor } from "../document/store.ts";
-import { openingBlock } from "./operation-rows.ts";
+import { openingBlock } from "../fields/blocks/operation-rows.ts";
 
 const present = (): Program => useSession.getState().reading.program;
 

@@ -1,8 +1,8 @@
 import { useId, useRef, type ReactNode } from "react";
 import { sumOf } from "../../program/field.ts";
 import type { OwnProblem } from "../../program/own-cycle.ts";
-import { useNumberEntry } from "../dialog/use-number-entry.ts";
-import { inScreenWriting } from "../dialog/write-value.ts";
+import { useNumberEntry } from "../fields/dialog/use-number-entry.ts";
+import { inScreenWriting } from "../fields/dialog/write-value.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";

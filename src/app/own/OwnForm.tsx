@@ -5,7 +5,7 @@ import { LAYOUTS } from "../../nc/style.ts";
 import { ownStatement, type OwnEntry, type OwnReading } from "../../program/own-cycle.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
-import { addParameter, hasRoom, setHead } from "./own-edits.ts";
+import { addParameter, hasRoom, setHead } from "../fields/blocks/own-edits.ts";
 import { OwnField, OwnProblems } from "./OwnField.tsx";
 import { ParameterCard } from "./ParameterCard.tsx";
 

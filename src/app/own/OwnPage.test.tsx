@@ -8,7 +8,7 @@ import { useKeeping } from "../records/keep.ts";
 import { changeSettings } from "../base/settings/settings.ts";
 import { redo, undo, useSteps } from "../document/steps.ts";
 import { readKeptOwn, startOwn, writeKeptOwn } from "../records/keep-own.ts";
-import { describeBlock } from "./own-edits.ts";
+import { describeBlock } from "../fields/blocks/own-edits.ts";
 import { importOwnFile } from "./own-files.ts";
 import { showOwn, useOwnPlace } from "../document/own-place.ts";
 import { takeOwn, useOwn } from "../document/own-store.ts";

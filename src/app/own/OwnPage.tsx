@@ -2,16 +2,16 @@ import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import type { OwnEntry } from "../../program/own-cycle.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
-import { TableStatus, type TableSaid } from "../tools/TableStatus.tsx";
-import { TableTabs } from "../tools/TableTabs.tsx";
+import { TableStatus, type TableSaid } from "../fields/table/TableStatus.tsx";
+import { TableTabs } from "../fields/table/TableTabs.tsx";
 import { showKind, showTools } from "../document/tool-place.ts";
-import { addOwn, duplicateOwn, isFull, removeOwn } from "./own-edits.ts";
+import { addOwn, duplicateOwn, isFull, removeOwn } from "../fields/blocks/own-edits.ts";
 import { exportOwn, importOwnFile } from "./own-files.ts";
 import { hideOwn, openOwn, useOwnPlace } from "../document/own-place.ts";
 import { libraryOf } from "../document/own-reading.ts";
 import { useOwn } from "../document/own-store.ts";
 import { OwnForm } from "./OwnForm.tsx";
-import "../tools/tools.css";
+import "../fields/table/tools.css";
 import "./own.css";
 
 /** The own cycles of this device: the list, and beside it the description of one. */

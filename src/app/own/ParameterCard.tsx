@@ -3,7 +3,7 @@ import { fieldId, OWN_KINDS, type OwnCell, type OwnKind, type OwnParameterEntry,
 import { Icon, type IconName } from "../base/Icon.tsx";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 import { closeStep } from "../document/steps.ts";
-import { moveParameter, removeParameter, setOwnParameter } from "./own-edits.ts";
+import { moveParameter, removeParameter, setOwnParameter } from "../fields/blocks/own-edits.ts";
 import { OwnField } from "./OwnField.tsx";
 
 interface Props {

@@ -2,11 +2,11 @@ import type { OwnTexts } from "../../i18n/en/own.ts";
 import { OWN_SIZES } from "../../program/own-cycle.ts";
 import { readLibraryFile, writeLibrary } from "../../program/own-library.ts";
 import { downloadText } from "../base/download.ts";
-import { takeEntries } from "./own-edits.ts";
+import { takeEntries } from "../fields/blocks/own-edits.ts";
 import { openOwn } from "../document/own-place.ts";
 import { libraryOf } from "../document/own-reading.ts";
 import { useOwn } from "../document/own-store.ts";
-import type { TableSaid } from "../tools/TableStatus.tsx";
+import type { TableSaid } from "../fields/table/TableStatus.tsx";
 
 const failure = (sentence: string): TableSaid => ({ sentences: [sentence], failed: true, changed: false });
 

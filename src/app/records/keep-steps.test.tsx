@@ -4,7 +4,7 @@ import { exampleJob } from "../../program/job.ts";
 import { shippedList } from "../../program/tool-list.ts";
 import { draftOf, setContour, setPrompt, setRapid } from "../document/edits.ts";
 import { closeSession, dispatchEdit, handOverText, openBlock, openSession, sessionText, sessionView,
-  useSession } from "../editor/session.ts";
+  useSession } from "../fields/blocks/session.ts";
 import { closeStep, forget, redo, undo, useSteps } from "../document/steps.ts";
 import { editOwn, takeOwn, useOwn } from "../document/own-store.ts";
 import { beforeLeaving, begin, changeProgram, open, useEditor } from "../document/store.ts";

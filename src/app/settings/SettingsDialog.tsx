@@ -6,7 +6,7 @@ import { lazyPart } from "../base/parts.ts";
 import { changeLanguage, changeSettings, useSettings } from "../base/settings/settings.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 
-const MachineSection = lazyPart(async () => ({ default: (await import("../machine/MachineSection.tsx")).MachineSection }));
+const MachineSection = lazyPart(async () => ({ default: (await import("../fields/machine/MachineSection.tsx")).MachineSection }));
 const ThisDevice = lazyPart(async () => ({ default: (await import("../works/ThisDevice.tsx")).ThisDevice }));
 
 /** Language, appearance, motion and machine: choices of this device. */

@@ -7,7 +7,7 @@ import { radius, toDiameter } from "../../kernel/units.ts";
 import { boundsOf } from "../../view/bounds.ts";
 import { missingFiles } from "../calculation/missing-files.ts";
 import { filesOf, type ProgramWork } from "../document/work.ts";
-import { useClampingTexts } from "../setup/clamping-texts.ts";
+import { useClampingTexts } from "../fields/setup/clamping-texts.ts";
 import type { SheetWords } from "./sheet-words.ts";
 import type { SheetSource } from "./use-sheet.ts";
 

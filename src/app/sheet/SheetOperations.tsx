@@ -1,6 +1,6 @@
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { SetupData } from "../../report/sheet/setup-data.ts";
-import { titleOf } from "../operations/words.ts";
+import { titleOf } from "../fields/blocks/words.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import type { SheetWords } from "./sheet-words.ts";
 

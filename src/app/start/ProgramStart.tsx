@@ -3,12 +3,12 @@ import type { ExampleId } from "../../examples/index.ts";
 import { canOpenFiles, ENDINGS, pickFiles, pickFolder, plainFiles, type Chosen } from "../records/files/file-handle.ts";
 import type * as FolderPart from "../records/files/folder.ts";
 import { untilHere } from "../base/parts.ts";
-import { openFiles, openFolder, openText, type Opening } from "../files/open-program.ts";
+import { openFiles, openFolder, openText, type Opening } from "../fields/open/open-program.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { WhichButton } from "../document/WhichButton.tsx";
 import { CreateProgram } from "./CreateProgram.tsx";
-import { PartPicture } from "./PartPicture.tsx";
+import { PartPicture } from "../fields/kept/PartPicture.tsx";
 import type { StartPictures } from "./pictures.ts";
 
 /** Opens one of the programs that ship with the page. */

@@ -1,13 +1,13 @@
 import { Suspense, useEffect, useRef, useState, type ReactNode } from "react";
 import type { ExampleId } from "../../examples/index.ts";
-import { CycleChooser, type More } from "../chooser/CycleChooser.tsx";
-import { useRecent } from "../chooser/recent.ts";
+import { CycleChooser, type More } from "../fields/chooser/CycleChooser.tsx";
+import { useRecent } from "../fields/chooser/recent.ts";
 import { lazyPart } from "../base/parts.ts";
 import { fetchAtRest } from "../base/rest.ts";
 import { refreshWorks, useKeeping } from "../records/keep.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { findMore } from "./find-more.ts";
-import { KeptWorks, openKept } from "./KeptWorks.tsx";
+import { KeptWorks, openKept } from "../fields/kept/KeptWorks.tsx";
 import { openExample, ProgramStart } from "./ProgramStart.tsx";
 import { usePictures } from "./use-pictures.ts";
 

@@ -1,7 +1,7 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { exampleJob, UNSET } from "../../program/job.ts";
 import { draftOf } from "../document/edits.ts";
-import { FIRST_PLACE } from "../dialog/setup-prompts.ts";
+import { FIRST_PLACE } from "../fields/dialog/setup-prompts.ts";
 import { openPrompt } from "../place/place.ts";
 import { startWork } from "../records/keep.ts";
 import { useSettings } from "../base/settings/settings.ts";

@@ -1,5 +1,5 @@
 import type { ExampleId } from "../../examples/index.ts";
-import { plain } from "../chooser/search.ts";
+import { plain } from "../fields/chooser/search.ts";
 import type { Kept } from "../records/device.ts";
 
 /** What is found beside the cycles. */

@@ -3,7 +3,7 @@ import type { ToolCodeTexts } from "../../i18n/tool-code-text.ts";
 import { isHolderFilling, type CodeNote, type Filling } from "../../program/iso-codes/code-cells.ts";
 import type { CodePart, CodeMeaning } from "../../program/iso-codes/code-part.ts";
 import type { HolderCell } from "../../program/tool-columns.ts";
-import { inScreenWriting } from "../dialog/write-value.ts";
+import { inScreenWriting } from "../fields/dialog/write-value.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";

@@ -3,7 +3,7 @@ import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
 import { HOLDER_CELLS, type HolderCell } from "../../program/tool-columns.ts";
 import type { ToolEntry } from "../../program/tool-entry.ts";
 import { planImport, type ImportChange } from "../../program/tool-import.ts";
-import { inScreenWriting } from "../dialog/write-value.ts";
+import { inScreenWriting } from "../fields/dialog/write-value.ts";
 import { Icon } from "../base/Icon.tsx";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";

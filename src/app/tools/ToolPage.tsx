@@ -9,14 +9,14 @@ import { bringFiles, exportAgain, exportTools, takeBrought, type Brought } from 
 import { hideTools, openRow, showKind, useToolPlace, type ToolKind } from "../document/tool-place.ts";
 import { toolsOnDevice, useTools } from "../document/tool-store.ts";
 import { useToolName } from "../document/tool-name.ts";
-import { TableStatus, type TableSaid } from "./TableStatus.tsx";
+import { TableStatus, type TableSaid } from "../fields/table/TableStatus.tsx";
 import { ExportDialog } from "./ExportDialog.tsx";
 import { ImportDialog } from "./ImportDialog.tsx";
-import { TableTabs } from "./TableTabs.tsx";
+import { TableTabs } from "../fields/table/TableTabs.tsx";
 import { useToolWords } from "./use-tool-words.ts";
 import { ToolForm } from "./ToolForm.tsx";
 import { ToolGrid } from "./ToolGrid.tsx";
-import "./tools.css";
+import "../fields/table/tools.css";
 
 /** The tool table of this device: the whole table, and the columns of one tool beside it. */
 export function ToolPage() {

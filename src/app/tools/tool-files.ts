@@ -13,7 +13,7 @@ import { downloadBytes, downloadText } from "../base/download.ts";
 import { closeStep } from "../document/steps.ts";
 import { openRow } from "../document/tool-place.ts";
 import { editTools, toolsOnDevice, useTools } from "../document/tool-store.ts";
-import type { TableSaid } from "./TableStatus.tsx";
+import type { TableSaid } from "../fields/table/TableStatus.tsx";
 
 const failure = (sentence: string): TableSaid => ({ sentences: [sentence], failed: true, changed: false });
 

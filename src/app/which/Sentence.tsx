@@ -3,7 +3,7 @@ import type { WhichTexts } from "../../i18n/which-text.ts";
 import type { TurnedShape } from "../../cycles/define.ts";
 import type { Site } from "../../cycles/wanted.ts";
 import { Icon } from "../base/Icon.tsx";
-import { NumberField } from "../setup/NumberField.tsx";
+import { NumberField } from "../fields/setup/NumberField.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { ASKED, canBePreturned, measuresOf, type Sought, type AskingFault, type Measure, type StockChoice } from "../document/asking.ts";
 

@@ -7,7 +7,7 @@ import { print } from "../../nc/program.ts";
 import { withOperation } from "../../program/added-operation.ts";
 import { wantedText } from "../../program/wanted-text.ts";
 import type { Proposal } from "../../report/which/ways.ts";
-import { openText } from "../files/open-program.ts";
+import { openText } from "../fields/open/open-program.ts";
 import { openPrompt } from "../place/place.ts";
 import { printedText } from "../document/printed.ts";
 import { startWork } from "../records/keep.ts";
@@ -25,7 +25,7 @@ export async function takeWay(
   const labels = ncLabels(language);
   if (adds && program) {
     const [{ editProgram, sessionText }, { showFile }] = await Promise.all([
-      import("../editor/session.ts"),
+      import("../fields/blocks/session.ts"),
       import("../document/shown-file.ts"),
     ]);
     showFile(null);

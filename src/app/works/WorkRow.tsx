@@ -3,7 +3,7 @@ import type { DeviceTexts } from "../../i18n/en/device.ts";
 import type { Thumbnail } from "../../view/thumbnail.ts";
 import { Icon } from "../base/Icon.tsx";
 import type { Kept } from "../records/device.ts";
-import { KeptPicture } from "../start/KeptPicture.tsx";
+import { KeptPicture } from "../fields/kept/KeptPicture.tsx";
 
 /** What can be asked of a row. */
 export type RowWish = { readonly what: "open" | "rename" | "stay" | "duplicate" | "remove" | "select" } | { readonly what: "call";

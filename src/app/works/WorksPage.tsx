@@ -1,13 +1,13 @@
 import { useCallback, useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
 import { goHome } from "../document/go-home.ts";
-import { menuCycle } from "../chooser/menu.ts";
+import { menuCycle } from "../fields/chooser/menu.ts";
 import { Icon } from "../base/Icon.tsx";
 import { keptPictures } from "../records/kept-picture.ts";
 import { refreshWorks, useKeeping } from "../records/keep.ts";
 import { useWorksElsewhere } from "../records/use-works-elsewhere.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
-import { TableStatus } from "../tools/TableStatus.tsx";
+import { TableStatus } from "../fields/table/TableStatus.tsx";
 import { listWorks, WORK_ORDERS, type WorkOrder } from "./list-works.ts";
 import { sizeWords } from "./size-words.ts";
 import { useDeviceTexts } from "../base/use-device-texts.ts";

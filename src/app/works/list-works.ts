@@ -1,4 +1,4 @@
-import { plain } from "../chooser/search.ts";
+import { plain } from "../fields/chooser/search.ts";
 import type { Kept } from "../records/device.ts";
 
 /** Orders of the list of works. */

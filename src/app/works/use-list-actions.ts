@@ -1,11 +1,11 @@
 import { useCallback, useState } from "react";
 import type { DeviceTexts } from "../../i18n/en/device.ts";
-import { openKept } from "../start/KeptWorks.tsx";
+import { openKept } from "../fields/kept/KeptWorks.tsx";
 import type { Kept } from "../records/device.ts";
 import { useKeeping } from "../records/keep.ts";
 import { duplicateWork, removeWorks, renameWork } from "../records/works.ts";
 import { useSteps, type HistoryStep } from "../document/steps.ts";
-import type { TableSaid } from "../tools/TableStatus.tsx";
+import type { TableSaid } from "../fields/table/TableStatus.tsx";
 import { saveWorks } from "./export-works.ts";
 import type { RowWish } from "./WorkRow.tsx";
 

@@ -5,7 +5,7 @@ import { drawnProgram } from "../../../course/printed-program.ts";
 import type { Task } from "../../../course/task.ts";
 import { finishedBody, isBody } from "../../../view/solid/bodies.ts";
 import { useOutcome, type Outcome } from "../../calculation/outcome.ts";
-import { useMaterialOfWork } from "../../guide/use-advice.ts";
+import { useMaterialOfWork } from "../../fields/said/use-advice.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { useSettings } from "../../base/settings/settings.ts";
 import { programName } from "../../document/printed.ts";

@@ -2,7 +2,7 @@ import { judge } from "../../../course/judge/judge.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import type { Task } from "../../../course/task.ts";
 import { compareTold, type ComparedAnswer } from "../../../course/told.ts";
-import { asProgram } from "../../compare/sides.ts";
+import { asProgram } from "../../fields/compare/sides.ts";
 import { compareFromHere } from "../../findings/effect/before.ts";
 import { outcomeBeside } from "../../calculation/beside.ts";
 import { calculateAgain } from "../../calculation/client.ts";

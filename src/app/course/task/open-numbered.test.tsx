@@ -1,5 +1,5 @@
 import { afterEach, expect, test } from "vitest";
-import { closeSession, openBlock, openSession, sessionView } from "../../editor/session.ts";
+import { closeSession, openBlock, openSession, sessionView } from "../../fields/blocks/session.ts";
 import { begin, useEditor } from "../../document/store.ts";
 import { followPointed } from "./open-numbered.ts";
 

@@ -1,6 +1,6 @@
 import { blockNumbers } from "../../../nc/program.ts";
-import { openChosen } from "../../editor/choose-block.ts";
-import { openBlock, readWhole, useSession } from "../../editor/session.ts";
+import { openChosen } from "../../fields/blocks/choose-block.ts";
+import { openBlock, readWhole, useSession } from "../../fields/blocks/session.ts";
 import { showFile } from "../../document/shown-file.ts";
 
 /** Opens the block of a number in the text of the open program; the tool stays where it is. */

@@ -1,4 +1,4 @@
-import { openText } from "../../files/open-program.ts";
+import { openText } from "../../fields/open/open-program.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { NUMBERS, type ResultColumn, type ResultRow } from "../../records/course/result-rows.ts";
 import { leaveTaught } from "../../records/course/taught-shown.ts";

@@ -1,0 +1,28 @@
+import type { Program } from "../../../nc/program.ts";
+import type { Statement } from "../../../nc/statement.ts";
+import type { KnownParameters } from "../../../program/expression.ts";
+import { formulaOf, type Parameters } from "../../../program/formula.ts";
+
+/** Q parameters as they are set in front of a block, read from top to bottom without following calls. */
+export function parametersBefore(program: Program, index: number): KnownParameters {
+  const known: Parameters = new Map();
+  for (const { statement: s } of program.blocks.slice(0, index)) {
+    if (s.kind !== "assign") continue;
+    const value = formulaOf(s.formula, known);
+    if (typeof value === "number") known.set(s.target, value);
+  }
+  return Object.fromEntries(known);
+}
+
+const functionsOf = (s: Statement): readonly number[] => ("words" in s && "functions" in s.words ? s.words.functions : []);
+
+/** True when feeds in front of a block count per revolution. */
+export function perRevolutionBefore(program: Program, index: number): boolean {
+  for (let i = index; i >= 0; i -= 1) {
+    const block = program.blocks[i];
+    if (!block) continue;
+    const last = functionsOf(block.statement).findLast((m) => m === 136 || m === 137);
+    if (last !== undefined) return last === 136;
+  }
+  return false;
+}

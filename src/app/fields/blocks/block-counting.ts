@@ -1,0 +1,26 @@
+import { useMemo } from "react";
+import { INCH } from "../../../kernel/units.ts";
+import { startLines, type Program } from "../../../nc/program.ts";
+import type { Run } from "../../../program/run-types.ts";
+import { datumAt, datumIndex } from "../../../view/datum.ts";
+import type { Counting } from "../../../view/measure/distance.ts";
+import { useShownBeside } from "../../document/shown-file.ts";
+import { countsInches } from "./block-prompts.ts";
+import { useSession } from "./session.ts";
+
+/** How a cycle block counts: in the unit of its program, from the zero that holds where it is called first. */
+export function countingOf(program: Program, index: number, run: Run | null, file: string | null): Counting {
+  const line = startLines(program)[index];
+  const call = run?.operations.find(({ definedLine, definedFile }) => definedLine === line && (definedFile ?? null) === file);
+  const datums = run?.datums ?? [];
+  return {
+    unit: countsInches(program) ? INCH : 1,
+    zero: datumAt(datums, call ? datumIndex(datums, call.firstStep) : -1),
+  };
+}
+
+/** The same of the open block, followed by a component. */
+export function useBlockCounting(run: Run | null): Counting {
+  const program = useSession((s) => s.reading.program), index = useSession((s) => s.index), file = useShownBeside();
+  return useMemo(() => countingOf(program, index, run, file), [program, index, run, file]);
+}

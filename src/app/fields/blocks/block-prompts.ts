@@ -1,0 +1,121 @@
+import { neutralOf, saysNothing, type SomeValues } from "../../../cycles/effect.ts";
+import { cycleByNumber } from "../../../cycles/index.ts";
+import type { Issue } from "../../../kernel/issue.ts";
+import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
+import { withBlock } from "../../../nc/edit.ts";
+import type { Param } from "../../../cycles/params.ts";
+import type { CycleParameter, Statement } from "../../../nc/statement.ts";
+import { contourBefore } from "../../../program/contour-of-text.ts";
+import { decimalsInInches, valueInProgram } from "../../../program/cycle-values.ts";
+import { OWN_DECIMALS, ownField } from "../../../program/own-cycle.ts";
+import { ownCycle } from "../../document/own-reading.ts";
+import { feedWord } from "../../../program/field.ts";
+import { exampleJob, type SetJob } from "../../../program/job.ts";
+import { readDraft, type Draft } from "../../../program/read-draft.ts";
+import type { RunFinding } from "../../../program/run-types.ts";
+import { entryAt, type FindingEntry } from "../../findings/entry.ts";
+import type { JobReading } from "../../document/reading.ts";
+import { parametersBefore, perRevolutionBefore } from "./block-context.ts";
+import { blockValue, parameterAsTyped } from "../../../program/typed-value.ts";
+
+type CycleStatement = Extract<Statement, { kind: "cycle" }>;
+
+/** The prompts of a cycle block: what its text holds, with what is just being typed over it. */
+export function readingOfBlock(program: Program, index: number, typed: Draft): JobReading | null {
+  const s = program.blocks[index]?.statement;
+  const cycle = s?.kind === "cycle" ? cycleByNumber(s.cycle) : undefined;
+  if (!cycle || s?.kind !== "cycle") return null;
+  // A list of older software runs with what the control fills in.
+  const filled = Object.entries<Param>(cycle.params).flatMap(([q, { filledIn }]) => (filledIn === null ? [] : [[q, String(filledIn)]]));
+  const written = s.parameters.map((p) => [p.q, parameterAsTyped(p.value)]);
+  const draft: Draft = { ...Object.fromEntries<string>([...filled, ...written] as [string, string][]), ...typed };
+  const job: SetJob = {
+    ...exampleJob(cycle),
+    drafts: { [cycle.number]: draft },
+    perRevolution: perRevolutionBefore(program, index),
+    contour: cycle.contour === "free" ? contourBefore(program, index) : [],
+  };
+  return { job, setup: null, tools: [], cycle, draft, reading: readDraft(cycle, draft, parametersBefore(program, index)) };
+}
+
+/** What a parameter takes, and what its text is called where it is put in. */
+interface Asked {
+  readonly kind: Param["kind"] | "number";
+  readonly optional: boolean;
+  readonly decimals: number;
+  readonly rapid?: boolean;
+  readonly label?: string;
+}
+
+/** The parameters of a cycle in their order, whoever describes it: the catalogue, or the operator. */
+function askedOf(number: number): Readonly<Record<string, Asked>> {
+  const known = cycleByNumber(number)?.params;
+  if (known) return known;
+  const own = ownCycle(number)?.parameters ?? [];
+  return Object.fromEntries(own.map((p) => [p.q, { ...ownField(p), decimals: OWN_DECIMALS, label: p.prompt }]));
+}
+
+/** The program with another value in a cycle block; the same program where the text can not be read as one. */
+export function withPrompt(program: Program, index: number, q: string, text: string): Program {
+  const s = program.blocks[index]?.statement;
+  if (s?.kind !== "cycle") return program;
+  const param = askedOf(s.cycle)[q];
+  const left = text.trim() === "" ? leftOut(s, q) : null;
+  const word = param?.kind === "feed" ? feedWord(text) : null;
+  const value: CycleParameter["value"] = word === "auto" || (word === "max" && param?.rapid)
+    ? word
+    : left ?? blockValue(text, decimalsIn(program, param));
+  return value === null ? program : withBlock(program, index, withParameter(s, q, value));
+}
+
+/** True for a program whose numbers are inches. */
+export const countsInches = ({ blocks }: Program): boolean =>
+  blocks.some(({ statement }) => statement.kind === "begin" && statement.unit === "INCH");
+
+/** A length, mm, as a program counts. */
+export const inProgram = (program: Program, mm: number): number => valueInProgram({ kind: "length" }, mm, countsInches(program));
+
+/** How many decimals the control keeps of a parameter; undefined where nobody says. */
+const decimalsIn = (program: Program, param: Asked | undefined): number | undefined =>
+  param && countsInches(program) ? decimalsInInches(param) : param?.decimals;
+
+/** What stands in the text for a prompt that is left out; null where it may not be. */
+function leftOut(s: CycleStatement, q: string): number | null {
+  if (askedOf(s.cycle)[q]?.optional) return 0;
+  const param = cycleByNumber(s.cycle)?.params[q];
+  const known: SomeValues = Object.fromEntries(
+    s.parameters.map(({ q: name, value }) => [name, typeof value === "number" ? value : undefined]),
+  );
+  return param && saysNothing(param, known) ? neutralOf(param) : null;
+}
+
+/** A missing parameter is put where the catalogue or the description has it. */
+function withParameter(s: CycleStatement, q: string, value: CycleParameter["value"]): CycleStatement {
+  if (s.parameters.some((p) => p.q === q)) return { ...s, parameters: s.parameters.map((p) => (p.q === q ? { ...p, value } : p)) };
+  const asked = askedOf(s.cycle);
+  const order = Object.keys(asked);
+  const before = s.parameters.findLastIndex((p) => order.indexOf(p.q) >= 0 && order.indexOf(p.q) < order.indexOf(q));
+  return { ...s, parameters: s.parameters.toSpliced(before + 1, 0, { q, value, label: asked[q]?.label ?? null }) };
+}
+
+/** What was found in the lines of a block, and what is wrong with its prompts as typed; none twice. */
+export function problemsOfBlock(
+  program: Program,
+  index: number,
+  issues: readonly Issue[],
+  findings: readonly RunFinding[],
+): readonly FindingEntry[] {
+  const line = startLines(program)[index] ?? 0;
+  const last = line + (program.blocks[index]?.lines ?? 1) - 1;
+  const block = blockNumbers(program)[index] ?? null;
+  const typed = issues.map((issue): FindingEntry => entryAt(issue, issue.at ?? null, block));
+  const found = findings.filter((f) => f.line !== null && f.line >= line && f.line <= last).map(({ issue, inFile }): FindingEntry =>
+    entryAt(issue, ("at" in issue ? issue.at : null) ?? null, block, inFile)
+  );
+  const all = new Map<string, FindingEntry>();
+  for (const problem of [...typed, ...found]) {
+    const key = JSON.stringify([problem.issue.code, problem.at, problem.issue.data, problem.inFile]);
+    if (!all.has(key)) all.set(key, problem);
+  }
+  return [...all.values()];
+}

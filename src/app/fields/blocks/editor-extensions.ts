@@ -1,0 +1,54 @@
+import { completionKeymap } from "@codemirror/autocomplete";
+import { defaultKeymap, history } from "@codemirror/commands";
+import { lintGutter, lintKeymap } from "@codemirror/lint";
+import { Compartment, EditorState, type Extension } from "@codemirror/state";
+import { EditorView, highlightSpecialChars, keymap } from "@codemirror/view";
+import type { Texts } from "../../../i18n/index.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { guardCopy } from "../leaving/whole-program.ts";
+import { KEEPS_KEYBOARD } from "../../place/place.ts";
+import { blockMarks } from "./block-marks.ts";
+import { cycleHelp } from "./cycle-help.ts";
+import { klartext } from "./nc-language.ts";
+import { readingField } from "./reading-field.ts";
+
+/** Copying or cutting what is marked, where that is the whole program with faults in it. */
+const holdBack = (event: ClipboardEvent, { state }: EditorView): boolean =>
+  guardCopy(event, state.selection.ranges.map((range) => state.sliceDoc(range.from, range.to)).join("\n"));
+
+/** What follows the screen language. */
+const inLanguage = new Compartment();
+
+const worded = (t: Texts, language: Language): Extension => [
+  cycleHelp(t, language),
+  EditorView.contentAttributes.of({
+    "aria-label": t.page.text.title,
+    tabindex: "0",
+    spellcheck: "false",
+    autocapitalize: "characters",
+    autocorrect: "off",
+  }),
+  EditorState.phrases.of({ "Diagnostics": t.findings.title, "No diagnostics": t.findings.none, "close": t.page.close }),
+];
+
+/** Puts hover help, completion and names into a screen language. */
+export const inWords = (t: Texts, language: Language) => inLanguage.reconfigure(worded(t, language));
+
+/**
+ * Everything the text editor is made of. Undo and redo have no keys here: the page's own go to the same history.
+ * `mixedEnds`: line ends differ, so that carriage returns stay characters of their lines.
+ */
+export const editorExtensions =
+  (mixedEnds: boolean): Extension => [
+    ...(mixedEnds ? [EditorState.lineSeparator.of("\n")] : []),
+    readingField,
+    klartext,
+    blockMarks,
+    lintGutter(),
+    history({ minDepth: 1000 }),
+    highlightSpecialChars(),
+    inLanguage.of([]),
+    keymap.of([...completionKeymap, ...lintKeymap, ...defaultKeymap]),
+    EditorView.domEventHandlers({ copy: holdBack, cut: holdBack }),
+    EditorView.editorAttributes.of({ [KEEPS_KEYBOARD]: "" }),
+  ];

@@ -1,0 +1,44 @@
+import { cycleByNumber } from "../../../cycles/index.ts";
+import { ncLabels } from "../../../i18n/nc-labels.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import type { Program } from "../../../nc/program.ts";
+import { withBlocks } from "../../../nc/replace.ts";
+import type { Label, Statement } from "../../../nc/statement.ts";
+import { contourStatements } from "../../../program/print-contour.ts";
+import { blocksOfStatements } from "../../../program/operation-edits.ts";
+import { proposedOperation } from "../../../program/proposed-operation.ts";
+import { ringOf } from "../../../program/wanted-job.ts";
+
+/** The cylinder that a program states in numbers; none where it states something else. */
+function cylinderOf({ blocks }: Program) {
+  const s = blocks.find(({ statement }) => statement.kind === "blankCylinder")?.statement;
+  if (s?.kind !== "blankCylinder" || s.outside?.measure !== "D") return [];
+  const [outside, length, front] = [s.outside.value, s.length, s.distance ?? 0];
+  if (typeof outside !== "number" || typeof length !== "number" || typeof front !== "number") return [];
+  return [ringOf({ outside: String(outside), bore: "0", length: String(length), allowance: String(front) })];
+}
+
+/** The program with a contour to begin with behind a label at its end; null where no cycle is meant that takes one. */
+export function withContour(program: Program, number: number, label: Label): Program | null {
+  const cycle = cycleByNumber(number);
+  if (cycle?.contour !== "free") return null;
+  const { contour } = proposedOperation(cycle, { blank: cylinderOf(program), before: [] });
+  const statements: readonly Statement[] = [{ kind: "label", label }, ...contourStatements(contour), { kind: "label", label: 0 }];
+  const { blocks } = program;
+  const end = blocks.findLastIndex(({ statement: s }) => s.kind === "end");
+  const at = end < 0 ? blocks.length : end;
+  return withBlocks(program, [...blocks.slice(0, at), ...blocksOfStatements(program, at, statements), ...blocks.slice(at)]);
+}
+
+/** Cycle 14 that names a label, in front of the block at `index`. */
+export function withContourNamed(program: Program, index: number, label: number, language: Language): Program {
+  const { title, label: word } = ncLabels(language).contour;
+  const named: readonly Statement[] = [{ kind: "cycleLine", cycle: 14, line: 0, text: title }, {
+    kind: "cycleLine",
+    cycle: 14,
+    line: 1,
+    text: `${word}${label}`,
+  }];
+  const { blocks } = program;
+  return withBlocks(program, [...blocks.slice(0, index), ...blocksOfStatements(program, index, named), ...blocks.slice(index)]);
+}

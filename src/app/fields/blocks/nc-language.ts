@@ -1,0 +1,54 @@
+import { RangeSetBuilder, type Extension } from "@codemirror/state";
+import { Decoration, ViewPlugin, type DecorationSet, type EditorView, type ViewUpdate } from "@codemirror/view";
+import { tokensOf, type Token, type TokenKind } from "../../../nc/tokens.ts";
+
+const KINDS = [
+  "number",
+  "keyword",
+  "parameter",
+  "value",
+  "word",
+  "comment",
+  "structure",
+  "string",
+  "name",
+  "mark",
+] as const satisfies readonly TokenKind[];
+const marks = Object.fromEntries(KINDS.map((kind) => [kind, Decoration.mark({ class: `nc-${kind}` })])) as Readonly<
+  Record<TokenKind, Decoration>
+>;
+
+/** Lines whose words are known, and how many of them are kept. */
+const known = new Map<string, readonly Token[]>();
+const MOST = 2000;
+
+function wordsOf(line: string): readonly Token[] {
+  const words = known.get(line) ?? tokensOf(line);
+  if (known.size >= MOST) known.clear();
+  known.set(line, words);
+  return words;
+}
+
+/** The colours of the lines that are seen: a line says by itself what its words are. */
+function coloured({ state: { doc }, visibleRanges }: EditorView): DecorationSet {
+  const made = new RangeSetBuilder<Decoration>();
+  for (const { from, to } of visibleRanges) {
+    for (let line = doc.lineAt(from);; line = doc.line(line.number + 1)) {
+      for (const word of wordsOf(line.text))
+        if (word.to > word.from) made.add(line.from + word.from, line.from + word.to, marks[word.kind]);
+      if (line.to >= to) break;
+    }
+  }
+  return made.finish();
+}
+
+/** Klartext, coloured line by line by the reader's own scanner. */
+export const klartext: Extension = ViewPlugin.fromClass(class {
+  decorations: DecorationSet;
+  constructor(view: EditorView) {
+    this.decorations = coloured(view);
+  }
+  update({ docChanged, viewportChanged, view }: ViewUpdate) {
+    if (docChanged || viewportChanged) this.decorations = coloured(view);
+  }
+}, { decorations: (plugin) => plugin.decorations });

@@ -1,0 +1,89 @@
+import { useMemo } from "react";
+import type { Issue } from "../../../kernel/issue.ts";
+import type { Reading } from "../../../nc/reread.ts";
+import type { Draft } from "../../../program/read-draft.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import type { FindingEntry } from "../../findings/entry.ts";
+import type { JobReading } from "../../document/reading.ts";
+import { useOwn } from "../../document/own-store.ts";
+import { libraryOf, useOwnCycles } from "../../document/own-reading.ts";
+import { readingOfOwn, type OwnBlock } from "./own-block.ts";
+import { watchDraft } from "./half-typed.ts";
+import { problemsOfBlock, readingOfBlock, withPrompt } from "./block-prompts.ts";
+import { editProgram, useSession, type Session } from "./session.ts";
+import { useShownBeside } from "../../document/shown-file.ts";
+import { findingsShown } from "../../document/shown-findings.ts";
+import { heldWhileTyping } from "../../base/typing.ts";
+
+/** What is typed into the prompts of the open block; the text has it as soon as it can be read. */
+interface Typed {
+  readonly draft: Draft;
+  /** The state of the text and the block it was typed into: a text that was changed elsewhere counts for more. */
+  readonly reading: Reading | null;
+  readonly index: number;
+}
+
+const useTyped = heldWhileTyping<Typed>(() => ({ draft: {}, reading: null, index: -1 }));
+const untyped: Draft = {};
+const none: readonly Issue[] = [];
+const draftIn = ({ draft, reading, index }: Typed, session: Session): Draft =>
+  reading === session.reading && index === session.index ? draft : untyped;
+
+/** The prompts of the open block with their texts; null where it is a cycle that nobody has described. */
+export function openPrompts(): { readonly ids: readonly string[]; readonly draft: Draft } | null {
+  const session = useSession.getState();
+  const { reading: { program }, index } = session;
+  const typed = draftIn(useTyped.getState(), session);
+  const read = readingOfBlock(program, index, typed);
+  if (read) return { ids: Object.keys(read.cycle.params), draft: read.draft };
+  const own = readingOfOwn(program, index, typed, libraryOf(useOwn.getState().list).cycles);
+  return own && { ids: own.parameters.map(({ q }) => q), draft: own.draft };
+}
+
+/** The prompts of the open block and what is wrong with it, followed by a component. */
+export function useOpenBlock(): { readonly read: JobReading | null; readonly own: OwnBlock | null;
+  readonly problems: readonly FindingEntry[] }
+{
+  const session = useSession();
+  const draft = useTyped((typed) => draftIn(typed, session));
+  const findings = useOutcome((s) => s.newest?.run.issues);
+  const file = useShownBeside();
+  const { reading: { program }, index } = session;
+  const read = useMemo(() => readingOfBlock(program, index, draft), [program, index, draft]);
+  const cycles = useOwnCycles();
+  const own = useMemo(() => readingOfOwn(program, index, draft, cycles), [program, index, draft, cycles]);
+  const issues = read?.reading.issues ?? own?.issues ?? none;
+  const problems = useMemo(() => problemsOfBlock(program, index, issues, findingsShown(findings ?? [], file)), [
+    program,
+    index,
+    issues,
+    findings,
+    file,
+  ]);
+  return { read, own, problems };
+}
+
+/** Holds what is typed, as the text took it. */
+function noteTyped(draft: Draft, index: number): void {
+  const { reading } = useSession.getState();
+  useTyped.setState({ draft, reading, index });
+  watchDraft(reading.program, index, draft);
+}
+
+/** Writes several prompts of the open block into its text, in one step. */
+export function setBlockPrompts(texts: Readonly<Record<string, string>>): void {
+  const session = useSession.getState();
+  const { reading: { program }, index } = session;
+  const draft = { ...draftIn(useTyped.getState(), session), ...texts };
+  editProgram(Object.entries(texts).reduce((now, [q, text]) => withPrompt(now, index, q, text), program), null);
+  noteTyped(draft, index);
+}
+
+/** Writes a prompt of the open block into its text. */
+export function setBlockPrompt(q: string, text: string): void {
+  const session = useSession.getState();
+  const { reading: { program }, index } = session;
+  const draft = { ...draftIn(useTyped.getState(), session), [q]: text };
+  editProgram(withPrompt(program, index, q, text), `block ${index} ${q}`);
+  noteTyped(draft, index);
+}

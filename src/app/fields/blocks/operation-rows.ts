@@ -1,0 +1,105 @@
+import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
+import type { Severity } from "../../../kernel/issue.ts";
+import type { Tool } from "../../../kernel/tool.ts";
+import { isOff, operationsOf, wholeOf, type Tie } from "../../../program/operations.ts";
+import type { Outcome } from "../../calculation/outcome.ts";
+import { doneByLine, firstLine, type Done } from "./program-parts.ts";
+import type { FindingEntry } from "../../findings/entry.ts";
+import { indexOf } from "./repairs.ts";
+
+/** One operation of the list. */
+export interface OperationRow {
+  /** Its place among all, from 0. */
+  readonly unit: number;
+  /** Words of its structure comment; null where it has none. */
+  readonly title: string | null;
+  /** Numbers of its cycles. */
+  readonly cycles: readonly number[];
+  /** Number or name of its tool as the program says it; null without one. */
+  readonly tool: string | null;
+  /** The row of the table that it means. */
+  readonly known: Tool | null;
+  readonly inherits: boolean;
+  readonly isOff: boolean;
+  readonly tie: Tie | null;
+  /** Its blocks, with those that begin and end it where it alone has them. */
+  readonly from: number;
+  readonly to: number;
+  /** The block that opens with it: its cycle, or its first. */
+  readonly opens: number;
+  /** What its calls did; null where none was run. */
+  readonly done: Done | null;
+  readonly findings: { readonly count: number; readonly severity: Severity } | null;
+  readonly blocks: readonly { readonly index: number; readonly number: number; readonly text: string }[];
+}
+
+/** The block that opens with an operation. */
+export function openingBlock(program: Program, unit: number): number | null {
+  const own = operationsOf(program).units[unit];
+  return own ? (own.definitions[0] ?? own.from) : null;
+}
+
+/** Seconds that the blocks of a stretch run. */
+function secondsIn({ run }: Outcome, from: number, to: number): number {
+  const turned = run.steps.reduce((sum, step, i) => {
+    const block = run.stepBlocks[i] ?? -1;
+    return block >= from && block < to ? sum + step.seconds : sum;
+  }, 0);
+  return run.plane.reduce((sum, step) => (step.index >= from && step.index < to ? sum + step.seconds : sum), turned);
+}
+
+function added(all: readonly (Done | undefined)[]): Done | null {
+  const ran = all.filter((each) => each !== undefined);
+  return ran.length === 0 ? null : ran.reduce((sum, each) => ({
+    passes: sum.passes + each.passes,
+    seconds: sum.seconds + each.seconds,
+    residue: sum.residue + each.residue,
+  }));
+}
+
+/** The operations of a text as the list shows them; `outcome` is of this text, and `entries` are found in it. */
+export function operationRows(
+  program: Program,
+  { outcome, file, entries, tools }: { readonly outcome: Outcome | null; readonly file: string | null;
+    readonly entries: readonly FindingEntry[]; readonly tools: readonly Tool[] },
+): readonly OperationRow[] {
+  const all = operationsOf(program);
+  const numbers = blockNumbers(program);
+  const lines = startLines(program);
+  const done = outcome ? doneByLine(outcome, file) : null;
+  const places = entries.map((entry) => ({ at: indexOf(program, entry), severity: entry.issue.severity }));
+  return all.units.map((own, unit): OperationRow => {
+    const { from, to } = wholeOf(all, unit);
+    const called = own.toolCall === null ? undefined : program.blocks[own.toolCall]?.statement;
+    const tool = called?.kind === "toolCall" && called.tool !== null
+      ? (typeof called.tool === "object" ? called.tool.parameter : String(called.tool))
+      : null;
+    const here = places.filter(({ at }) => at >= from && at < to).map(({ severity }) => severity);
+    const worst = (["error", "warning", "info"] as const).find((each) => here.includes(each));
+    const did = added(own.definitions.map((index) => done?.get(lines[index] ?? 0)));
+    const seconds = outcome && file === null ? secondsIn(outcome, from, to) : 0;
+    const isMilled = file === null && outcome?.run.plane.some(({ index }) => index >= from && index < to);
+    return {
+      unit,
+      title: own.title,
+      cycles: own.definitions.flatMap((index) => {
+        const s = program.blocks[index]?.statement;
+        return s?.kind === "cycle" || s?.kind === "cycleLine" ? [s.cycle] : [];
+      }),
+      tool,
+      // The number of a mill may be that of a turning tool, which it is not.
+      known: isMilled ? null : (tools.find(({ T, NAME }) => String(T) === tool || NAME === tool) ?? null),
+      inherits: own.inherits,
+      isOff: isOff(program, own),
+      tie: own.tie,
+      from,
+      to,
+      opens: own.definitions[0] ?? own.from,
+      done: did ? { ...did, seconds: Math.max(seconds, did.seconds) } : seconds > 0 ? { passes: 0, seconds, residue: 0 } : null,
+      findings: worst ? { count: here.length, severity: worst } : null,
+      blocks: program.blocks.slice(from, to).flatMap(({ raw, statement }, i) =>
+        statement.kind === "empty" ? [] : [{ index: from + i, number: numbers[from + i] ?? 0, text: firstLine(raw) }]
+      ),
+    };
+  });
+}

@@ -1,0 +1,112 @@
+import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
+import type { Statement } from "../../../nc/statement.ts";
+import { actsAtOnce } from "../../../program/unproved-blocks.ts";
+import type { Outcome } from "../../calculation/outcome.ts";
+import { kindOf, type BlockKind } from "./block-kind.ts";
+import { isDefinedIn } from "../../document/shown-findings.ts";
+
+/** What the list of parts can be narrowed to. */
+export type PartFilter = "operations" | "labels" | "notes";
+
+/** What an executed cycle call did. */
+export interface Done {
+  readonly passes: number;
+  readonly seconds: number;
+  /** mm² of the half plane that stay. */
+  readonly residue: number;
+}
+
+/** One entry of the list of parts. */
+export interface Part {
+  /** Index of its block. */
+  readonly index: number;
+  /** Number as printed, or counted. */
+  readonly number: number;
+  readonly kind: BlockKind;
+  readonly filter: PartFilter;
+  /** Its words, without number. */
+  readonly text: string;
+  /** Cycles: what each of their calls did, added up; null where none was executed. */
+  readonly done: Done | null;
+  /** Tool calls: number or name of the tool; null elsewhere. */
+  readonly tool: string | null;
+  /** A cycle that acts where it stands, and is not called. */
+  readonly acts: boolean;
+}
+
+const filters: Partial<Record<Statement["kind"], PartFilter>> = {
+  toolCall: "operations",
+  cycle: "operations",
+  mode: "operations",
+  approach: "operations",
+  label: "labels",
+  cycleLine: "labels",
+  selectContour: "labels",
+  call: "labels",
+  structure: "notes",
+  comment: "notes",
+  stop: "notes",
+  unknown: "notes",
+  blankCylinder: "labels",
+  blankRotation: "labels",
+  blankFile: "labels",
+  turnBlank: "labels",
+  datum: "labels",
+  datumTable: "labels",
+  mirror: "labels",
+  rotation: "labels",
+  scale: "labels",
+  callProgram: "labels",
+  selectProgram: "labels",
+  callSelected: "labels",
+};
+
+/** What ends a subprogram, and the further lines of an old cycle, are no parts of their own. */
+const isPart = (s: Statement): boolean =>
+  !(s.kind === "label" && s.label === 0) && !(s.kind === "cycleLine" && s.line > 0 && s.cycle !== 14);
+
+/** The first line of a block without number and continuation. */
+export const firstLine = (raw: string): string =>
+  (/^\s*\/?\s*(?:\d+(?![\d.,])\s*)?(.*?)\s*~?\s*(?:[\r\n]|$)/.exec(raw)?.[1] ?? "").replace(/\s+/g, " ");
+
+/**
+ * What the calls of each definition in one text did, by the line of the definition; `file` is that of a called program. A call
+ * that makes no path has done nothing.
+ */
+export function doneByLine({ run, simulation }: Outcome, file: string | null): ReadonlyMap<number, Done> {
+  const all = new Map<number, Done>();
+  run.operations.forEach((operation, i) => {
+    if (operation.plan.moves.length === 0 || !isDefinedIn(operation, file)) return;
+    const before = all.get(operation.definedLine) ?? { passes: 0, seconds: 0, residue: 0 };
+    const residue = simulation.proof.residual.reduce((sum, r) => (r.operation === i ? sum + r.area : sum), 0);
+    all.set(operation.definedLine, {
+      passes: before.passes + operation.plan.passes,
+      seconds: before.seconds + operation.seconds,
+      residue: before.residue + residue,
+    });
+  });
+  return all;
+}
+
+/** The parts of a program in their order: tools, cycles, labels, contours, notes. */
+export function partsOf(program: Program, outcome: Outcome | null, file: string | null = null): readonly Part[] {
+  const numbers = blockNumbers(program);
+  const lines = outcome ? startLines(program) : [];
+  const done = outcome ? doneByLine(outcome, file) : null;
+  const parts: Part[] = [];
+  program.blocks.forEach(({ statement: s, raw }, index) => {
+    const filter = filters[s.kind];
+    if (filter === undefined || !isPart(s)) return;
+    parts.push({
+      index,
+      number: numbers[index] ?? 0,
+      kind: kindOf(s),
+      filter,
+      text: firstLine(raw),
+      done: s.kind === "cycle" ? (done?.get(lines[index] ?? 0) ?? null) : null,
+      tool: s.kind === "toolCall" && s.tool !== null && typeof s.tool !== "object" ? String(s.tool) : null,
+      acts: s.kind === "cycle" && actsAtOnce(s.cycle),
+    });
+  });
+  return parts;
+}

@@ -1,0 +1,15 @@
+import { withBlock } from "../../../nc/edit.ts";
+import { startLines } from "../../../nc/program.ts";
+import { fieldsOf } from "./block-fields.ts";
+import { wordOfField } from "./block-guide.ts";
+import { kindOf, type BlockKind } from "./block-kind.ts";
+import { editUnshown } from "./session.ts";
+
+/** Writes a text into a word of a block whose form was open, while another page stands in its place. */
+export const writeIntoBlock = (line: number, kind: BlockKind, word: string, text: string): void =>
+  editUnshown((program) => {
+    const index = startLines(program).indexOf(line), s = program.blocks[index]?.statement;
+    const field = s && kindOf(s) === kind ? fieldsOf(s).find((each) => wordOfField(each) === word) : undefined;
+    const next = s && field?.write(s, text);
+    return next ? withBlock(program, index, next) : program;
+  });

@@ -1,0 +1,62 @@
+import { EditorState, type Transaction } from "@codemirror/state";
+import { afterEach, expect, test, vi } from "vitest";
+import { whileTyping } from "../../base/typing.ts";
+import { createTextView, type TextUpdate, type TextView } from "./text-view.ts";
+
+const TEXT = "0 BEGIN PGM AWKWARD MM\n1 L Z+17.3 FMAX\n2 END PGM AWKWARD MM\n";
+
+let shown: TextView | null = null;
+afterEach(() => {
+  shown?.destroy();
+  shown = null;
+  vi.useRealTimers();
+});
+
+function opened() {
+  const told: TextUpdate[] = [], begin = EditorState.create({ doc: TEXT }), view = createTextView(begin, (change) => told.push(change));
+  let state = begin;
+  const put = (insert: string) => {
+    const tr: Transaction = state.update({ changes: { from: 30, insert } });
+    state = tr.state;
+    view.edit(tr);
+  };
+  shown = view;
+  return { view, told, put, now: () => state.doc.toString() };
+}
+
+test("what a dialog changes while somebody types is told at once, and in the editor behind the picture", () => {
+  const { view, told, put, now } = opened(), editor = view.get();
+  whileTyping(() => put("1"));
+  whileTyping(() => put("9"));
+  expect(told.map(({ state }) => state.doc.length)).toEqual([TEXT.length + 1, TEXT.length + 2]);
+  expect(editor.state.doc.toString()).toBe(TEXT);
+  dispatchEvent(new MouseEvent("pointerdown"));
+  expect(editor.state.doc.toString()).toBe(now());
+  expect(told).toHaveLength(2);
+});
+
+test("whoever asks for the editor finds the newest text in it", () => {
+  const { view, put, now } = opened();
+  whileTyping(() => put("4"));
+  expect(view.get().state.doc.toString()).toBe(now());
+  put("2");
+  expect(view.get().state.doc.toString()).toBe(now());
+});
+
+test("what an editor that is behind does by itself tears nothing apart", () => {
+  const { view, told, put, now } = opened(), editor = view.get();
+  whileTyping(() => put("7"));
+  editor.dispatch({ selection: { anchor: 3 } });
+  expect(editor.state.doc.toString()).toBe(now());
+  editor.dispatch({ changes: { from: 0, to: 1, insert: "5" } });
+  expect(told.at(-1)?.state.doc.toString()).toBe(`5${now().slice(1)}`);
+});
+
+test("another text is shown in place of one that the editor has not taken in", () => {
+  const { view, put } = opened(), other = EditorState.create({ doc: "7 M30\n" });
+  whileTyping(() => put("3"));
+  view.put(other);
+  expect(view.get().state.doc.toString()).toBe("7 M30\n");
+  dispatchEvent(new MouseEvent("pointerdown"));
+  expect(view.get().state.doc.toString()).toBe("7 M30\n");
+});

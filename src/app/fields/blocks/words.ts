@@ -1,0 +1,28 @@
+import type { CycleNumber } from "../../../cycles/index.ts";
+import { cycleByNumber } from "../../../cycles/index.ts";
+import { isKept } from "../../../cycles/kept-cycles.ts";
+import type { Lengths } from "../../../i18n/lengths.ts";
+import { formatFixed } from "../../../i18n/number.ts";
+import type { Texts } from "../../../i18n/index.ts";
+import { NO_AREA } from "../../findings/effect/effect.ts";
+import type { Done } from "./program-parts.ts";
+import type { OperationRow } from "./operation-rows.ts";
+
+/** What a cycle is called on the screen, behind its number. */
+export function cycleWords(t: Texts, cycle: number): string {
+  const name = cycleByNumber(cycle) ? t.cycles.of[cycle as CycleNumber].name : isKept(cycle) ? t.cycles.kept[cycle] : "";
+  return `${cycle} ${name}`.trim();
+}
+
+/** What an operation is called: its structure comment, its cycle, or that it is cut without one. */
+export const titleOf = (t: Texts, { title, cycles }: Pick<OperationRow, "title" | "cycles">): string =>
+  title ?? (cycles.length > 0 ? cycles.map((cycle) => cycleWords(t, cycle)).join(" · ") : t.operations.withoutCycle);
+
+/** Passes, time and what stays, in a line. */
+export function doneWords(t: Texts, lengths: Lengths, { passes, seconds, residue }: Done): string {
+  const time = t.page.effect.duration(Math.floor(Math.round(seconds) / 60),
+    formatFixed(lengths.language, seconds < 60 ? seconds : Math.round(seconds) % 60, seconds < 60 ? 1 : 0));
+  if (passes === 0) return time;
+  return t.editor.operation(t.editor.passes(passes), time,
+    residue < NO_AREA ? t.editor.noResidue : lengths.words(t.editor.residue(lengths.area(residue, 2))));
+}

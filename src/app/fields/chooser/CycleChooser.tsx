@@ -1,0 +1,124 @@
+import { useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
+import { Icon } from "../../base/Icon.tsx";
+import { useFirstTexts } from "../../base/settings/use-first-texts.ts";
+import { useFingers, useMedia } from "../../base/use-media.ts";
+import { CycleGroup } from "./CycleGroup.tsx";
+import { CycleRow, type CycleWay } from "./CycleRow.tsx";
+import { onChooserKey } from "./chooser-keys.ts";
+import { notHere, menuGroups, offered } from "./menu.ts";
+import { noteRecent } from "./recent.ts";
+import { RecentCycles } from "./RecentCycles.tsx";
+import { findCycles, findElsewhere } from "./search.ts";
+import { useMenuWords } from "./use-menu-words.ts";
+import "./chooser.css";
+
+/** Cycles beside those of the catalogue: what fits the words that are sought (null: all), and `isFirst` when Enter would take its best. */
+export type More = (
+  sought: string | null,
+  turn: number | null,
+  isFirst: boolean,
+) => { readonly count: number; readonly best: { readonly name: string; readonly go: () => void } | null; readonly shown: ReactNode };
+
+interface Props {
+  readonly ways: readonly CycleWay[];
+  /** Beside other things: one column, and the groups folded. */
+  readonly narrow?: boolean;
+  /** A cycle that is chosen is put into a program. */
+  readonly inProgram?: boolean;
+  /** The search takes the keyboard at once. */
+  readonly focus?: boolean;
+  readonly more?: More;
+  /** What the search is called, and how it counts, where it finds more than cycles. */
+  readonly search?: string;
+  readonly found?: (n: number) => string;
+}
+
+/** All cycles, in the groups of the control: by search, by group, or those that were used last. */
+export function CycleChooser({ ways: given, narrow = false, inProgram = false, focus = false, more, search: searchName, found: foundWords }:
+  Props)
+{
+  const { chooser: t, page: { start }, menu: names } = useFirstTexts();
+  const phone = useMedia("slim");
+  const fingers = useFingers();
+  const [typed, type] = useState("");
+  const [searching, search] = useState(false);
+  const [turn, giveTurn] = useState<number | null>(null);
+  const words = useMenuWords(searching);
+  const sought = typed.trim();
+  const cycles = useMemo(() => offered(inProgram), [inProgram]);
+  const found = useMemo(() => (sought === "" ? null : findCycles(cycles, sought, words)), [cycles, sought, words]);
+  const others = more?.(found && sought, turn, found?.length === 0);
+  const count = (found?.length ?? 0) + (others?.count ?? 0);
+  const beside = useMemo(() => (found && count === 0 ? findElsewhere(notHere(inProgram), sought, words) : []), [
+    found,
+    count,
+    inProgram,
+    sought,
+    words,
+  ]);
+  const box = useRef<HTMLDivElement>(null);
+  const input = useRef<HTMLInputElement>(null);
+  const ways = given.map((way): CycleWay => ({
+    ...way,
+    go: (cycle) => {
+      noteRecent(cycle);
+      way.go(cycle);
+    },
+  }));
+  const nameOf = (cycle: number) => start.cycle(cycle, names.of[cycle]?.name ?? names.kept[cycle] ?? "");
+  const best = found?.[0];
+  const taken = best ? { name: nameOf(best.number), go: () => ways[0]?.go(best.number) } : others?.best;
+
+  const onSearchKey = (event: KeyboardEvent) => {
+    if (event.key === "Enter" && found && taken) {
+      event.preventDefault();
+      taken.go();
+    } else if (event.key === "Escape" && typed !== "") {
+      event.stopPropagation();
+      type("");
+    }
+  };
+  return (
+    <div className={`cycle-chooser${narrow ? " narrow" : ""}`} ref={box} role="group" aria-label={t.cycles}
+      onKeyDown={(event) => onChooserKey(event, input.current)} onFocus={({ target }) => {
+      const row = target.closest<HTMLElement>(".cycle-row");
+      if (row) giveTurn(Number(row.dataset["cycle"]));
+    }}>
+      <div className="cycle-search">
+        <input ref={input} type="search" className="cycle-search-field" aria-label={searchName ?? t.search} placeholder={t.hint}
+          autoComplete="off" spellCheck={false} autoFocus={focus} value={typed} onFocus={() => search(true)} onKeyDown={onSearchKey}
+          onChange={(event) => type(event.currentTarget.value)} />
+      </div>
+      <div className="small soft cycle-found" role="status">
+        {found && taken && `${(others?.count ? foundWords : undefined)?.(count) ?? t.found(count)} ${t.enter(taken.name)}`}
+        {found && !taken && beside.length === 0 && t.none}
+        {beside.map(({ number, why }) => (
+          <p key={number} className="field-message info">
+            <Icon name="info" /> <span>{t[why](nameOf(number))}</span>
+          </p>
+        ))}
+        {!found && (fingers ? t.languages : `${t.languages} ${t.keys}`)}
+      </div>
+      {found
+        ? (
+          <ul className="cycle-rows">
+            {found.map((cycle, i) => (
+              <CycleRow key={cycle.number} cycle={cycle} ways={ways} first={i === 0} grouped
+                inTurn={cycle.number === (found.some(({ number }) => number === turn)
+                  ? turn
+                  : best?.number)} />
+            ))}
+          </ul>
+        )
+        : (
+          <>
+            <RecentCycles offered={cycles} ways={ways} />
+            {menuGroups(cycles).map(([group, own]) => (
+              <CycleGroup key={group} group={group} cycles={own} ways={ways} turn={turn} startsOpen={!narrow && !phone} />
+            ))}
+          </>
+        )}
+      {others?.shown}
+    </div>
+  );
+}

@@ -1,0 +1,20 @@
+import { menuWordsOf } from "virtual:cycle-menu";
+import { useEffect, useState } from "react";
+import { LANGUAGES } from "../../../i18n/languages.ts";
+import type { MenuWords } from "../../../i18n/menu-words.ts";
+import { useFirstTexts } from "../../base/settings/use-first-texts.ts";
+
+/** The words to search in: those of the screen, and those of the other languages once somebody searches. */
+export function useMenuWords(searching: boolean): readonly MenuWords[] {
+  const { menu } = useFirstTexts();
+  const [others, take] = useState<readonly MenuWords[]>([]);
+  useEffect(() => {
+    if (!searching) return undefined;
+    let here = true;
+    void Promise.all(LANGUAGES.map(menuWordsOf)).then((all) => here && take(all)).catch(() => undefined);
+    return () => {
+      here = false;
+    };
+  }, [searching]);
+  return others.length > 0 ? others : [menu];
+}

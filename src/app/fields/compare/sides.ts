@@ -1,0 +1,58 @@
+import { decode } from "../../document/encoding.ts";
+import { LARGEST_PROGRAM } from "../../base/limits.ts";
+import { shownFile } from "../../document/shown-file.ts";
+import { printedText, programName } from "../../document/printed.ts";
+import { asOpened, handedOn, handOver, useEditor, withHandedOn } from "../../document/store.ts";
+import { shopOf } from "../../document/work-tools.ts";
+import { fileKey } from "../../../program/program-files.ts";
+import { broughtBy, filesOf, isProgram, withText, type ProgramWork, type Work } from "../../document/work.ts";
+
+/** A work as a program, with what it brings along: that of a cycle as it is printed. */
+export function asProgram(work: Work): ProgramWork {
+  if (isProgram(work)) return work;
+  const text = printedText(work, shopOf(work).table.tools);
+  return { name: `${programName(text)}.h`, text, encoding: "utf-8", ...broughtBy(work) };
+}
+
+/** The open work as it stands now; null where none is open. */
+export function presentProgram(): ProgramWork | null {
+  handOver();
+  const { job, program } = useEditor.getState();
+  const open = program ?? job;
+  return open && asProgram(open);
+}
+
+/** The other program with the name it is told by; null: the open work as it was opened. */
+export interface Other {
+  readonly name: string | null;
+  readonly program: ProgramWork;
+}
+
+/** The open work as it was when it was opened, with the tools and the control that it has now; null where that is not known. */
+export function openedProgram(): ProgramWork | null {
+  const { work } = useEditor.getState();
+  const opened = work === null ? null : asOpened(work);
+  return opened && asProgram(withHandedOn(opened, broughtBy(handedOn(useEditor.getState()))));
+}
+
+/** The open work as it was when it was opened, where something of it has changed since. */
+export function changedSinceOpened(present: ProgramWork): Other | null {
+  const program = openedProgram();
+  return program && (program.text !== present.text || filesOf(program) !== filesOf(present)) ? { name: null, program } : null;
+}
+
+/** The open work with another text in place of the one that is shown. */
+export function withOtherText(present: ProgramWork, text: string): ProgramWork {
+  const { program } = useEditor.getState();
+  return withText(present, fileKey(program ? shownFile(program).name : present.name), text);
+}
+
+/** The text of a file of the device; null where it can not be read as one. */
+export async function textOfFile(file: File): Promise<string | null> {
+  if (file.size > LARGEST_PROGRAM) return null;
+  try {
+    return decode(new Uint8Array(await file.arrayBuffer())).text;
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,246 @@
+import { cleanup, render, screen, waitFor, within } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
+import { afterEach, beforeEach, expect, test } from "vitest";
+import { catalogue } from "../../../cycles/index.ts";
+import { parse } from "../../../nc/parse.ts";
+import { exampleJob } from "../../../program/job.ts";
+import { run } from "../../../program/run.ts";
+import { shippedTools } from "../../../program/shipped-tools.ts";
+import { simulate } from "../../../sim/simulate.ts";
+import { draftOf, setPrompt } from "../../document/edits.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import { openPrompt } from "../../place/place.ts";
+import { printedText } from "../../document/printed.ts";
+import { useReading } from "../../document/reading.ts";
+import { changeSettings } from "../../base/settings/settings.ts";
+import { redo, undo } from "../../document/steps.ts";
+import { begin, useEditor } from "../../document/store.ts";
+import { CycleDialog } from "./CycleDialog.tsx";
+
+const cycle = catalogue.find((c) => c.contour === "own" && c.evidence === "A");
+if (!cycle) throw new Error("no cycle with a contour of its own");
+const prompts = Object.keys(cycle.params);
+const of = (kind: string) => Object.keys(cycle.params).find((q) => cycle.params[q]?.kind === kind) ?? "";
+const [diameter, axial, feed, choice, angle] = [of("diameter"), of("axial"), of("feed"), of("choice"), of("angle")];
+const optional = prompts.find((q) => cycle.params[q]?.optional) ?? "";
+const after = (q: string) => prompts[prompts.indexOf(q) + 1] ?? "";
+
+function Page() {
+  const read = useReading();
+  return read && <CycleDialog read={read} />;
+}
+const typed = (q: string) => draftOf(useEditor.getState().job ?? exampleJob(cycle))[q];
+const goTo = (q: string | null) => openPrompt(q, q === null ? "" : (typed(q) ?? ""));
+const active = () => screen.getByRole("region", { name: "Active prompt" });
+const field = () => within(active()).getByRole<HTMLInputElement>("textbox");
+const question = () => within(active()).getByRole("heading").textContent;
+const shows = (q: string) => within(active()).queryByText(q) !== null;
+
+beforeEach(() => {
+  changeSettings({ language: "en" });
+  begin(exampleJob(cycle), "work");
+  goTo(prompts[0] ?? null);
+  render(<Page />);
+});
+afterEach(() => {
+  cleanup();
+  useOutcome.setState({ newest: null });
+});
+
+test("ENT takes each value and ends with the copy button", async () => {
+  const user = userEvent.setup();
+  for (const q of prompts) {
+    expect(shows(q), q).toBe(true);
+    await user.keyboard("{Enter}");
+  }
+  expect(question()).toBe("Being checked …");
+  expect(document.activeElement).toBe(screen.getByRole("button", { name: /^Copy the program/ }));
+});
+
+test("ENT passes by what has no effect; arrows go there, NO ENT leaves it out, and what was typed is kept", async () => {
+  const user = userEvent.setup();
+  const size = prompts.find((q) => cycle.params[q]?.sizes !== undefined) ?? "";
+  const element = cycle.params[size]?.sizes ?? "";
+  const line = () => screen.getByRole("button", { name: new RegExp(`^${size} `) });
+  setPrompt(element, "0");
+  goTo(element);
+  await waitFor(() => expect(line().getAttribute("aria-label")).toContain("no effect"));
+  await user.keyboard("{Enter}");
+  expect(shows(after(size))).toBe(true);
+  expect(typed(size)).toBe(String(cycle.params[size]?.example));
+  await user.keyboard("{ArrowUp}");
+  expect(shows(size)).toBe(true);
+  expect(within(active()).getByText(`no effect with ${element} = 0`)).toBeTruthy();
+  await user.keyboard("{Delete}");
+  expect(typed(size)).toBe("");
+  expect(shows(after(size))).toBe(true);
+  await user.keyboard("{End}");
+  expect(question()).toBe("Being checked …");
+  setPrompt(element, "1");
+  await screen.findByText("1 prompt has no usable value");
+});
+
+test("arrows and Tab move, in front of the first prompt through the set-up, whose first place stays", async () => {
+  const user = userEvent.setup();
+  await user.keyboard("{ArrowDown}{ArrowDown}{ArrowUp}");
+  expect(shows(prompts[1] ?? "")).toBe(true);
+  await user.keyboard("{ArrowUp}");
+  expect(shows(prompts[0] ?? "")).toBe(true);
+  await user.keyboard("{ArrowUp}".repeat(9));
+  expect(question()).toBe("Outside ⌀");
+  await user.keyboard("{End}");
+  expect(shows(prompts[0] ?? "")).toBe(true);
+  goTo(axial);
+  await user.keyboard("{Tab}");
+  while (shows(axial)) await user.keyboard("{Tab}");
+  expect(shows(after(axial))).toBe(true);
+  await user.keyboard("{Shift>}{Tab}{/Shift}");
+  expect(shows(axial)).toBe(true);
+});
+
+test("a value that is typed takes the place of the one that stood there, at once", async () => {
+  const user = userEvent.setup();
+  goTo(diameter);
+  await screen.findByDisplayValue(typed(diameter) ?? "");
+  await user.keyboard("62,5");
+  expect(typed(diameter)).toBe("62,5");
+  await user.keyboard("{Enter}");
+  expect(screen.getByRole("button", { name: new RegExp(`^${diameter} .*\\+62\\.500 mm ⌀`) })).toBeTruthy();
+});
+
+test("minus toggles the sign wherever the caret is", async () => {
+  const user = userEvent.setup();
+  goTo(axial);
+  await screen.findByDisplayValue(typed(axial) ?? "");
+  await user.keyboard("12");
+  await user.keyboard("-");
+  expect(field().value).toBe("-12");
+  await user.keyboard("-3");
+  expect(field().value).toBe("123");
+});
+
+test("a sum becomes its value when the field is left, a Q parameter stays", async () => {
+  const user = userEvent.setup();
+  goTo(diameter);
+  await screen.findByDisplayValue(typed(diameter) ?? "");
+  await user.keyboard("75/2+1");
+  expect(typed(diameter)).toBe("75/2+1");
+  await user.keyboard("{Enter}");
+  expect(typed(diameter)).toBe("38.5");
+});
+
+test("Escape brings back the value as it was when the prompt opened", async () => {
+  const user = userEvent.setup();
+  goTo(diameter);
+  const before = typed(diameter) ?? "";
+  await screen.findByDisplayValue(before);
+  await user.keyboard("1x{Escape}");
+  expect(typed(diameter)).toBe(before);
+  expect(shows(diameter)).toBe(true);
+});
+
+test("Delete is NO ENT where the prompt is optional, and a plain key elsewhere", async () => {
+  const user = userEvent.setup();
+  goTo(optional);
+  await screen.findByDisplayValue(typed(optional) ?? "");
+  await user.keyboard("{Delete}");
+  expect(typed(optional)).toBe("");
+  expect(shows(after(optional))).toBe(true);
+  goTo(diameter);
+  await screen.findByDisplayValue(typed(diameter) ?? "");
+  await user.keyboard("{Delete}");
+  expect(shows(diameter)).toBe(true);
+});
+
+test("End keeps the rest and closes the dialog; open values are counted", async () => {
+  const user = userEvent.setup();
+  goTo(diameter);
+  await screen.findByDisplayValue(typed(diameter) ?? "");
+  await user.keyboard("nothing{End}");
+  expect(question()).toBe("1 prompt has no usable value");
+  await user.keyboard("{Enter}");
+  expect(shows(diameter)).toBe(true);
+});
+
+test("a digit or an arrow takes a choice", async () => {
+  const user = userEvent.setup();
+  goTo(choice);
+  await within(active()).findByRole("radiogroup");
+  await user.keyboard("2");
+  expect(typed(choice)).toBe("2");
+  await user.keyboard("{ArrowLeft}");
+  expect(typed(choice)).toBe("1");
+  await user.keyboard("9");
+  expect(typed(choice)).toBe("1");
+});
+
+test("FAUTO stands in for a feed", async () => {
+  const user = userEvent.setup();
+  goTo(feed);
+  await screen.findByDisplayValue(typed(feed) ?? "");
+  await user.click(within(active()).getByRole("button", { name: /^FAUTO/ }));
+  expect(typed(feed)).toBe("FAUTO");
+  await user.keyboard("{Enter}");
+  expect(screen.getByRole("button", { name: new RegExp(`^${feed} .*FAUTO`) })).toBeTruthy();
+});
+
+test.each([["out of range", () => angle, "-5", /Take 5/], ["no number", () => diameter, "abc", null], [
+  "missing",
+  () => diameter,
+  "",
+  null,
+]])("%s is said at the field while it is typed, and never stops the typing", async (_, q, text, nearest) => {
+  const user = userEvent.setup();
+  goTo(q());
+  await screen.findByDisplayValue(typed(q()) ?? "");
+  await user.clear(field());
+  if (text !== "") await user.type(field(), text);
+  expect(field().value).toBe(text);
+  await waitFor(() => expect(field().getAttribute("aria-invalid")).toBe("true"));
+  const said = within(active()).getByRole("status");
+  expect(said.textContent).not.toBe("");
+  if (!nearest) return;
+  await user.click(await within(said).findByRole("button", { name: nearest }));
+  expect(field().getAttribute("aria-invalid")).toBe("false");
+  expect(document.activeElement).toBe(field());
+});
+
+test("typing is one step of undo, and the field follows undo and redo", async () => {
+  const user = userEvent.setup();
+  goTo(diameter);
+  const before = typed(diameter) ?? "";
+  await screen.findByDisplayValue(before);
+  await user.keyboard("61.75");
+  undo();
+  expect(typed(diameter)).toBe(before);
+  await screen.findByDisplayValue(before);
+  redo();
+  await screen.findByDisplayValue("61.75");
+});
+
+test("prompts are asked in the language of the screen, with its decimal sign", async () => {
+  const user = userEvent.setup();
+  changeSettings({ language: "de" });
+  goTo(feed);
+  const input = await screen.findByRole<HTMLInputElement>("textbox", { name: new RegExp(`^${feed} `) });
+  expect(input.value).toBe((typed(feed) ?? "").replace(".", ","));
+  await user.keyboard("0,25{Enter}");
+  expect(screen.getByRole("button", { name: new RegExp(`^${feed} .*0,250 mm/U`) })).toBeTruthy();
+});
+
+test("a fault that leaves no path is said at the prompt that shapes the contour, in front of what else is said there", async () => {
+  const end = prompts.findLast((q) => cycle.params[q]?.kind === "diameter") ?? "";
+  goTo(end);
+  setPrompt(end, "213.7");
+  const { job } = useEditor.getState();
+  const text = job ? printedText(job) : "", made = run(parse(text), { tools: shippedTools, rapid: 10_000 });
+  expect(made.steps.filter((step) => step.operation !== null)).toEqual([]);
+  useOutcome.setState({ newest: { version: 1, text, run: made, simulation: simulate(made) } });
+  const said = () => [...within(active()).getByRole("status", { name: "Findings" }).children].map((each) => each.textContent ?? "");
+  await waitFor(() => expect(said()).toHaveLength(2));
+  expect(said()[0]).toMatch(/^Error: T Tool: A ROUGH tool/);
+  expect(said()[1]).toMatch(/^Warning: D Outside ⌀: The contour/);
+  // Roughing or finishing has nothing to do with it.
+  goTo(prompts[0] ?? null);
+  await waitFor(() => expect(said()).toEqual([]));
+});

@@ -1,0 +1,61 @@
+import { useContext } from "react";
+import { cycleByNumber } from "../../../cycles/index.ts";
+import { valueInProgram } from "../../../program/cycle-values.ts";
+import { Icon } from "../../base/Icon.tsx";
+import { goToField } from "../../place/place.ts";
+import type { FindingEntry } from "../../findings/entry.ts";
+import { CycleInWork, useIssueText } from "../../calculation/issue-text.ts";
+import { useLengths } from "../../calculation/lengths.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { writeTyped } from "./write-value.ts";
+
+interface Props {
+  readonly problem: Pick<FindingEntry, "issue">;
+  /** Decimals that the control keeps of the value. */
+  readonly decimals: number;
+  /** The field it belongs to, where that is another one than the one it stands at. */
+  readonly place?: string;
+  /** Not done wrong, only not done yet: said calmly. */
+  readonly calm?: boolean;
+  /** Takes the nearest value that works. */
+  readonly onTake?: (nearest: number) => void;
+  /** The set-up has a field for the value of a Q parameter that is missing. */
+  readonly parameterField?: boolean;
+}
+
+/** What is wrong with a field, and a button that takes the nearest value that works. */
+export function FieldMessage({ problem, decimals, place, calm = false, onTake, parameterField = false }: Props) {
+  const t = useTexts();
+  const say = useIssueText();
+  const lengths = useLengths(), cycle = useContext(CycleInWork);
+  const { issue } = problem;
+  const shown = calm ? "info" : issue.severity;
+  const offered = "nearest" in issue.data && typeof issue.data.nearest === "number" ? issue.data.nearest : null;
+  const param = cycle === null || !("at" in issue) ? undefined : cycleByNumber(cycle)?.params[issue.at ?? ""];
+  const isInch = lengths.unit === "inch", nearest = offered === null ? null : valueInProgram(param, offered, isInch);
+  return (
+    <div className={`field-message ${shown}`}>
+      <Icon name={shown} />
+      <p>
+        <span className="unseen">{t.findings.severities[shown]}:{" "}</span>
+        {place !== undefined && (
+          <>
+            <b>{place}:</b>
+            {" "}
+          </>
+        )}
+        {say(issue)}
+      </p>
+      {parameterField && issue.code === "unknownParameter" && (
+        <button type="button" className="button" onClick={() => goToField("setup", `parameter.${issue.data.name}`)}>
+          {t.dialog.giveParameter(issue.data.name)}
+        </button>
+      )}
+      {nearest !== null && onTake && (
+        <button type="button" className="button" onClick={() => onTake(nearest)}>
+          {t.dialog.takeNearest(writeTyped(lengths.language, nearest, isInch ? decimals + 1 : decimals))}
+        </button>
+      )}
+    </div>
+  );
+}

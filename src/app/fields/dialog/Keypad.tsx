@@ -1,0 +1,57 @@
+import type { RefObject } from "react";
+import { decimalSign } from "../../../i18n/number.ts";
+import { Icon } from "../../base/Icon.tsx";
+import { useSettings } from "../../base/settings/settings.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { padButton, writingKeys, type PadKey } from "./KeyGrid.tsx";
+import { toggleIncremental, type EntryState } from "./number-entry.ts";
+import { commandsOf, type Prompt, type PromptSession } from "./session.ts";
+import type { ValueField } from "./ValueInput.tsx";
+
+interface Props {
+  readonly session: PromptSession;
+  readonly prompt: Prompt;
+  readonly input: RefObject<ValueField | null>;
+}
+
+/** The keys in their rows: a calculator with the keys of the control beside it, and the keys of path words. */
+const ROWS = {
+  sums: "7 8 9 / ( up erase 4 5 6 * ) down noEnter 1 2 3 - Q cancel end sign 0 point + enter".split(" "),
+  words: "7 8 9 up erase noEnter end 4 5 6 down sign point I 1 2 3 0 enter".split(" "),
+} as const;
+
+/** The keys of the control for fingers, docked under the open prompt. Of a choice among digits only its own are there. */
+export function Keypad({ session, prompt, input }: Props) {
+  const { dialog: { keys: t, keypad }, approach } = useTexts();
+  const sign = decimalSign(useSettings((s) => s.language));
+  const { enter, step, noEntry, cancel, finish, take } = commandsOf(session);
+  const numeric = prompt.choices === null;
+  const change = (by: (entry: EntryState) => EntryState) => () => {
+    const open = input.current;
+    if (!open) return;
+    open.focus();
+    open.write(by(open.read()));
+  };
+  const writing = writingKeys(t, sign, numeric, change);
+  const keys: Readonly<Record<string, PadKey>> = {
+    I: { label: "I", name: approach.incremental, press: change(toggleIncremental), disabled: !prompt.increments },
+    up: { label: <Icon name="up" />, name: t.previous, press: () => step(-1) },
+    down: { label: <Icon name="down" />, name: t.next, press: () => step(1) },
+    noEnter: { label: t.noEnter, name: t.noEnterLong, press: noEntry, className: "small", disabled: !prompt.optional && !prompt.idle },
+    cancel: { label: "CE", name: t.cancel, press: cancel },
+    end: { label: t.end, name: t.endLong, press: finish },
+    enter: { label: t.enter, name: t.enterLong, press: enter, className: "primary enter" },
+  };
+  const keyOf = (id: string): PadKey => keys[id] ?? writing(id);
+
+  if (prompt.choices && session.keypad === "sums") {
+    return (
+      <div className="keypad" role="group" aria-label={keypad}>
+        {prompt.choices.map(({ value }) => padButton({ label: value, name: value, press: () => take(value), className: "number" }))}
+        <span className="key-rest" />
+        {["up", "down", "cancel", "noEnter", "end", "enter"].map((id) => padButton(keyOf(id)))}
+      </div>
+    );
+  }
+  return <div className="keypad" role="group" aria-label={keypad}>{ROWS[session.keypad].map((id) => padButton(keyOf(id)))}</div>;
+}

@@ -1,0 +1,52 @@
+import { useLayoutEffect, useRef, type ReactNode } from "react";
+import { createPortal } from "react-dom";
+import { useFingers } from "../../base/use-media.ts";
+import { fillHelpDock, useHelpDock } from "./help-dock.ts";
+import { Keypad } from "./Keypad.tsx";
+import { OpenPrompt } from "./OpenPrompt.tsx";
+import { onPromptKey } from "./prompt-keys.ts";
+import { PromptList } from "./PromptList.tsx";
+import { openPromptOf, type PromptSession } from "./session.ts";
+import type { ValueField } from "./ValueInput.tsx";
+
+interface Props {
+  readonly session: PromptSession;
+  readonly name: string;
+  readonly listName: string;
+  /** What stands in place of the open prompt at the end. */
+  readonly done: ReactNode;
+  /** Under the list, where there is a keyboard. */
+  readonly hint: string;
+  /** Above the prompts. */
+  readonly head?: ReactNode;
+  /** In place of the prompts, while something else is asked. */
+  readonly instead?: ReactNode;
+  readonly className?: string;
+}
+
+/** A dialog as the control leads through it: one prompt open, all others one line each, a picture of what they say. */
+export function PromptDialog({ session, name, listName, done, hint, head, instead, className = "" }: Props) {
+  const fingers = useFingers();
+  const input = useRef<ValueField | null>(null);
+  const open = openPromptOf(session);
+  const dock = useHelpDock((d) => d.dock), fills = dock !== null && !instead;
+  useLayoutEffect(() => (fills ? fillHelpDock() : undefined), [fills]);
+  return (
+    <div className={`cycle-dialog ${className}`.trim()} role="form" id="prompts" aria-label={name}>
+      {head}
+      {instead ?? (
+        <>
+          {open ? <OpenPrompt session={session} prompt={open} ownKeypad={fingers} input={input} /> : done}
+          {fingers && open && <Keypad session={session} prompt={open} input={input} />}
+          <div className={`below-prompt${session.fields.length === 0 ? " no-prompts" : ""}`}>
+            {dock ? createPortal(session.picture, dock) : session.picture}
+            <div className="prompt-list-box" onKeyDown={(event) => onPromptKey(event, session)}>
+              <PromptList session={session} name={listName} />
+              {!fingers && <p className="small soft dialog-keys">{hint}</p>}
+            </div>
+          </div>
+        </>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,192 @@
+import type { ReactNode } from "react";
+import type { FieldReading } from "../../../program/field.ts";
+import { valueAsTyped } from "../../../program/typed-value.ts";
+import type { FindingEntry } from "../../findings/entry.ts";
+import { closeStep } from "../../document/steps.ts";
+
+/** One prompt of a dialog, in the words of the screen. */
+export interface Prompt {
+  readonly id: string;
+  /** How it is written on the screen: Q493, LEN, RL/RR. */
+  readonly letter: string;
+  readonly question: string;
+  readonly label: string;
+  readonly about: string;
+  /** Its page in the guide, where it has one. */
+  readonly page?: readonly string[];
+  /** What its input is called. */
+  readonly name: string;
+  readonly unit: string;
+  /** Smallest and largest value; null where it has none. */
+  readonly range: string | null;
+  /** What holds besides the range: optional, incremental. */
+  readonly notes: readonly string[];
+  /** Why its description is not certain. */
+  readonly doubt: string | null;
+  /** Printed values with their meanings, where only these may be taken. */
+  readonly choices: readonly { readonly value: string; readonly meaning: string }[] | null;
+  readonly optional: boolean;
+  /** The other values say that it has no effect: ENT passes it by, and it may be left out. */
+  readonly idle: boolean;
+  /** May have an I in front. */
+  readonly increments: boolean;
+  /** FAUTO has a button of its own. */
+  readonly auto: boolean;
+  readonly decimals: number;
+  /** What the list of prompts shows. */
+  readonly shown: { readonly text: string; readonly unit: string; readonly soft: boolean };
+  /** What may stand in the field while it is empty: ENT takes it, unless it `holds` already as long as nobody enters anything. */
+  readonly suggestion?: { readonly text: string; readonly holds: boolean } | undefined;
+  /** Prompts of the set-up, in front of those of the cycle: a group is one row of the list while none of it is open. */
+  readonly group?: PromptGroup;
+  /** It has no value of its own: only the way to another place. */
+  readonly bare?: true;
+  /** A place beside the dialog that it leads to; `needed`: ENT goes there first. */
+  readonly action?: { readonly label: string; readonly run: () => void; readonly needed: boolean };
+}
+
+export interface PromptGroup {
+  readonly id: string;
+  readonly letter: string;
+  readonly name: string;
+  readonly text: string;
+  readonly unit: string;
+  readonly soft: boolean;
+  /** Place in the set-up, and how many it has. */
+  readonly at: readonly [number, number];
+}
+
+/** Which prompt is open. */
+export interface Opened {
+  /** Null at the end of the dialog. */
+  readonly id: string | null;
+  /** The text as it was when the prompt opened, for Escape. */
+  readonly before: string;
+  /** Counts up each time the open field should take the keyboard. */
+  readonly focus: number;
+}
+
+/** A dialog of prompts, whatever it writes: the job, a cycle block of a program, an approach. */
+export interface PromptSession {
+  readonly fields: readonly Prompt[];
+  readonly draft: Readonly<Record<string, string>>;
+  readonly readings: Readonly<Record<string, FieldReading>>;
+  readonly set: (id: string, text: string) => void;
+  readonly findings: readonly FindingEntry[];
+  /** Findings of other places that concern a prompt, with the name of their place. */
+  readonly besides: (id: string) => readonly { readonly entry: FindingEntry; readonly place?: string }[];
+  readonly picture: ReactNode;
+  readonly opened: Opened;
+  readonly open: (id: string | null, before: string) => void;
+  /** True where a prompt that opens may take the keyboard. */
+  readonly mayFocus: () => boolean;
+  /** The set-up has fields for the values of Q parameters. */
+  readonly asksParameters: boolean;
+  /** What has no effect once a prompt is answered so; asked before the answer is there to be read. */
+  readonly idleWith?: (id: string, text: string) => (other: string) => boolean;
+  /** Takes several answers in one step of undo. */
+  readonly setAll?: (texts: Readonly<Record<string, string>>) => void;
+  /** The keys under fingers: those of a calculator, or those of path words. */
+  readonly keypad: "sums" | "words";
+}
+
+export const openPromptOf = ({ fields, opened }: PromptSession): Prompt | null => fields.find((f) => f.id === opened.id) ?? null;
+
+/** What an empty prompt is suggested to be answered with; null where it is answered, or where the suggestion counts already. */
+export function suggestionFor({ draft }: Pick<PromptSession, "draft">, { id, suggestion, idle }: Prompt): string | null {
+  return suggestion && !suggestion.holds && !idle && (draft[id] ?? "").trim() === "" ? suggestion.text : null;
+}
+
+/** All suggestions for prompts that nobody has answered yet, without those that the others leave without effect. */
+export function openSuggestions(session: PromptSession): Readonly<Record<string, string>> {
+  const all = session.fields.flatMap((f) => {
+    const text = suggestionFor(session, f);
+    return text === null || session.readings[f.id]?.issue === null ? [] : [[f.id, text] as const];
+  });
+  return Object.fromEntries(all.filter(([id]) => !all.some(([other, text]) => session.idleWith?.(other, text)(id))));
+}
+
+/** A text as it stays when its field is left: a sum becomes its value, one with a Q parameter once that has a value. */
+function settled(reading: FieldReading | undefined, text: string): string {
+  const { value, written, computed, incremental } = reading ?? { value: null, written: null, computed: false, incremental: false };
+  const sign = incremental ? "I" : "";
+  if (written === "auto" || written === "max") return `F${written.toUpperCase()}`;
+  if (value !== null && computed) return sign + String(value);
+  if (value !== null && typeof written === "object") return sign + valueAsTyped(written);
+  return text.trim();
+}
+
+/** What the keys of the control do in a dialog. */
+export interface PromptCommands {
+  /** The open prompt is left: its text settles, and what is typed next is a new step of undo. */
+  readonly leave: () => void;
+  /** Opens a prompt after leaving the one before it. */
+  readonly goTo: (id: string | null) => void;
+  /** ENT: the next prompt that has an effect; behind the last one the dialog is at its end. */
+  readonly enter: () => void;
+  /** The prompt `by` places further on; past the last one the dialog is at its end, before the first it stays. */
+  readonly step: (by: number) => void;
+  /** NO ENT: the prompt is left out, where it may be. */
+  readonly noEntry: () => void;
+  /** END: the rest stays as it is. */
+  readonly finish: () => void;
+  /** Escape: the value as it was when the prompt opened. */
+  readonly cancel: () => void;
+  /** Takes a value by a button: a step of undo of its own. */
+  readonly take: (text: string) => void;
+}
+
+export function commandsOf(session: PromptSession): PromptCommands {
+  const { fields, draft, opened, set } = session;
+  const open = openPromptOf(session);
+  const at = open ? fields.indexOf(open) : -1;
+  const text = (id: string | null) => (id === null ? "" : (draft[id] ?? ""));
+  const show = (id: string | null) => session.open(id, text(id));
+  const nextOf = (by: number) => (at >= 0 ? at + by : by > 0 ? 0 : fields.length - 1);
+  const onwards = (idle = (f: Prompt) => f.idle) => fields.slice(nextOf(1)).find((f) => !idle(f))?.id ?? null;
+  const leave = () => {
+    const typed = text(opened.id);
+    const stays = open && settled(session.readings[open.id], typed);
+    if (open && stays !== null && stays !== typed) set(open.id, stays);
+    closeStep();
+  };
+  const goTo = (id: string | null) => {
+    leave();
+    show(id);
+  };
+  const take = (value: string) => {
+    if (!open) return;
+    closeStep();
+    set(open.id, value);
+    closeStep();
+  };
+  return {
+    leave,
+    goTo,
+    take,
+    finish: () => goTo(open?.group ? (fields.find((f) => !f.group)?.id ?? null) : null),
+    enter() {
+      if (open?.action?.needed) return open.action.run();
+      const suggested = open && suggestionFor(session, open);
+      if (!open || suggested === null) return goTo(onwards());
+      take(suggested);
+      const idle = session.idleWith?.(open.id, suggested);
+      show(onwards(idle && ((f) => idle(f.id))));
+    },
+    step(by) {
+      const next = nextOf(by);
+      if (next >= 0) goTo(fields[next]?.id ?? null);
+    },
+    noEntry() {
+      if (!open?.optional && !open?.idle) return;
+      take("");
+      show(onwards());
+    },
+    cancel() {
+      if (!open) return;
+      closeStep();
+      set(open.id, opened.before);
+      session.open(open.id, opened.before);
+    },
+  };
+}

@@ -1,0 +1,125 @@
+import { readText, type Field, type FieldReading, nothing } from "../../../program/field.ts";
+import { knownParameters } from "../../../program/job-parameters.ts";
+import { SETUP_FIELDS } from "../../../program/setup-fields.ts";
+import type { SetupPlace } from "../../../program/setup.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import type { Texts } from "../../../i18n/index.ts";
+import type { Tool } from "../../../kernel/tool.ts";
+import { setBlank, setStart, setTool } from "../../document/edits.ts";
+import { goToField } from "../../place/place.ts";
+import type { JobReading } from "../../document/reading.ts";
+import type { Prompt } from "./session.ts";
+import { inScreenWriting } from "./write-value.ts";
+
+/** The prompts of the set-up in the order in which a setter has it, each with the word that the control has for it. */
+const PLACES = [
+  { id: "blank.outside", letter: "D", field: SETUP_FIELDS.outside, group: "blank" },
+  { id: "blank.bore", letter: "DI", field: SETUP_FIELDS.bore, group: "blank" },
+  { id: "blank.length", letter: "L", field: SETUP_FIELDS.length, group: "blank" },
+  { id: "blank.allowance", letter: "DIST", field: SETUP_FIELDS.allowance, group: "blank" },
+  { id: "tool", letter: "T", field: { ...SETUP_FIELDS.speed, id: "tool", range: [0, 32767], decimals: 0 }, group: "tool" },
+  { id: "start.x", letter: "X", field: SETUP_FIELDS.startX, group: "start" },
+  { id: "start.z", letter: "Z", field: SETUP_FIELDS.startZ, group: "start" },
+] as const satisfies readonly { readonly id: SetupPlace; readonly letter: string; readonly field: Field; readonly group: string }[];
+
+/** The place that a dialog of a new work begins at. */
+export const FIRST_PLACE: SetupPlace = PLACES[0].id;
+
+export const isSetupPlace = (id: string): id is SetupPlace => PLACES.some((place) => place.id === id);
+
+/** The value of a place as the work has it, set or proposed. */
+function valueAt({ job }: JobReading, id: SetupPlace): string {
+  const { blank, start } = job;
+  const texts: Readonly<Record<SetupPlace, string>> = {
+    "blank.outside": blank.outside,
+    "blank.bore": blank.bore,
+    "blank.length": blank.length,
+    "blank.allowance": blank.allowance,
+    tool: String(job.tool),
+    "start.x": start.x,
+    "start.z": start.z,
+  };
+  return texts[id];
+}
+
+/** Writes what was typed at a place; an empty text makes it proposed again. */
+export function setPlace(id: SetupPlace, text: string): void {
+  const number = text.trim();
+  if (id === "tool") {
+    if (/^\d{0,5}$/.test(number)) setTool(number === "" ? null : Number(number));
+    return;
+  }
+  const field = id.slice(id.indexOf(".") + 1);
+  if (id === "start.x" || id === "start.z") setStart(id === "start.x" ? "x" : "z", text);
+  else setBlank(field as keyof JobReading["job"]["blank"], text);
+}
+
+/** The set-up as prompts of the dialog: with what is typed, how it reads, and what is proposed where nothing is. */
+export interface SetupPrompts {
+  readonly fields: readonly Prompt[];
+  readonly draft: Readonly<Record<string, string>>;
+  readonly readings: Readonly<Record<string, FieldReading>>;
+}
+
+export function setupPrompts(read: JobReading, t: Texts, language: Language, tools: readonly Tool[]): SetupPrompts {
+  const { setup } = read;
+  if (!setup) return { fields: [], draft: {}, readings: {} };
+  const known = knownParameters(read.job);
+  const { setup: words } = t;
+  const names: Readonly<Record<SetupPlace, string>> = {
+    "blank.outside": words.blank.outside,
+    "blank.bore": words.blank.bore,
+    "blank.length": words.blank.length,
+    "blank.allowance": words.blank.allowance,
+    tool: words.tool.title,
+    "start.x": words.start.x,
+    "start.z": words.start.z,
+  };
+  const groups = { blank: words.blank.title, tool: words.tool.title, start: words.start.title };
+  const isAcross = (id: SetupPlace) => id === "blank.outside" || id === "blank.bore" || id === "start.x";
+  const toolNamed = (number: string) => tools.find(({ T }) => String(T) === number)?.NAME ?? "";
+  const unitAt = (id: SetupPlace, shown: string) => id === "tool" ? toolNamed(shown) : isAcross(id) ? words.units.diameter : words.units.mm;
+  const screen = (text: string) => inScreenWriting(language, text);
+  const value = (id: SetupPlace) => screen(valueAt(read, id));
+  const blank = `⌀${value("blank.outside")} × ${value("blank.length")}`;
+  const shownOf = {
+    blank: { letter: "BLK", text: blank, unit: words.units.mm },
+    tool: { letter: "T", text: value("tool"), unit: "" },
+    start: { letter: "X Z", text: `⌀${value("start.x")} ${value("start.z")}`, unit: words.units.mm },
+  };
+  const draft: Record<string, string> = {};
+  const readings: Record<string, FieldReading> = {};
+  const fields = PLACES.map(({ id, letter, field, group }, i): Prompt => {
+    const isProposed = setup.proposed.has(id);
+    const text = valueAt(read, id);
+    draft[id] = isProposed ? "" : text;
+    readings[id] = isProposed ? nothing : readText(field, text, known);
+    const unit = unitAt(id, text);
+    const inGroup = PLACES.filter((place) => place.group === group);
+    const proposes = inGroup.some((place) => setup.proposed.has(place.id));
+    return {
+      id,
+      letter,
+      question: names[id],
+      label: names[id],
+      about: id === "tool" ? t.dialog.setup.tool : group === "start" ? words.start.hint : t.dialog.setup.blank[id],
+      page: ["guide", "setup", id],
+      name: t.dialog.value(letter, names[id]),
+      unit,
+      range: null,
+      notes: [],
+      doubt: null,
+      choices: null,
+      optional: true,
+      idle: false,
+      increments: false,
+      auto: false,
+      decimals: 3,
+      shown: { text: screen(text), unit: id === "tool" ? "" : unit, soft: isProposed },
+      suggestion: { text, holds: true },
+      group: { ...shownOf[group], id: group, name: groups[group], soft: proposes, at: [i + 1, PLACES.length] },
+      ...(id === "tool" && { action: { label: words.tool.choose, run: () => goToField("setup", "tool"), needed: false } }),
+    };
+  });
+  return { fields, draft, readings };
+}

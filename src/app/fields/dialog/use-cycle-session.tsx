@@ -1,0 +1,181 @@
+import { saysNothing } from "../../../cycles/effect.ts";
+import { isRecalled, type Param } from "../../../cycles/params.ts";
+import type { ParamTextId } from "../../../cycles/index.ts";
+import { formatNumber } from "../../../i18n/number.ts";
+import { anyNumber, readText } from "../../../program/field.ts";
+import type { SetupPlace } from "../../../program/setup.ts";
+import { suggestedValue, type SuggestionContext } from "../../../program/suggestion.ts";
+import { setPrompt, setPrompts } from "../../document/edits.ts";
+import { isAboutTool, isError, type FindingEntry } from "../../findings/entry.ts";
+import { useFindings } from "../../findings/use-findings.ts";
+import { mayTakeKeyboard, openPrompt, showSection, usePlace } from "../../place/place.ts";
+import type { JobReading } from "../../document/reading.ts";
+import { useSettings } from "../../base/settings/settings.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { closeStep } from "../../document/steps.ts";
+import { useToolList } from "../../document/work-tools.ts";
+import { HelpSlot } from "./HelpSlot.tsx";
+import { isSetupPlace, setPlace, setupPrompts } from "./setup-prompts.ts";
+import type { Prompt, PromptSession } from "./session.ts";
+import { unitOf, writeValue } from "./write-value.ts";
+
+/** A cycle block of a program: what is wrong with it only, and how its prompts are written into its text. */
+export interface PromptedBlock {
+  /** Its first line in the text, from 1. */
+  readonly line: number;
+  readonly problems: readonly FindingEntry[];
+  /** Its program counts in inches. */
+  readonly inches: boolean;
+  readonly set: (q: string, text: string) => void;
+  /** Several prompts in one step of undo. */
+  readonly setAll: (texts: Readonly<Record<string, string>>) => void;
+}
+
+/** What suggestions go by: the blank, where somebody has set it. */
+function suggestionContext({ job, setup }: JobReading): SuggestionContext {
+  const set = (place: SetupPlace, text: string) => (setup && !setup.proposed.has(place) ? readText(anyNumber, text).value : null);
+  const { outside, bore, allowance } = job.blank;
+  return {
+    blank: { outside: set("blank.outside", outside), bore: set("blank.bore", bore), front: set("blank.allowance", allowance) },
+    perRevolution: job.perRevolution,
+  };
+}
+
+/** The prompts of a cycle: those of the job, or of a block of a program. */
+export function useCycleSession(read: JobReading, block: PromptedBlock | null): PromptSession {
+  const { cycle, job, draft, reading } = read;
+  const t = useTexts();
+  const language = useSettings((s) => s.language);
+  const opened = usePlace();
+  const all = useFindings();
+  const findings = block?.problems ?? all;
+  const tools = useToolList();
+  const context = suggestionContext(read);
+  const { units, evidence } = t.dialog;
+  const unitText = (param: Param): string => {
+    const unit = units[unitOf(param, job.perRevolution)];
+    return block?.inches ? unit.replace("mm", "inch") : unit;
+  };
+  const number = (param: Param, n: number) => formatNumber(language, n, param.decimals);
+
+  const shownOf = (q: string, param: Param): Prompt["shown"] => {
+    const field = reading.perField[q];
+    if (field?.empty) return { text: field.issue ? t.dialog.noValue : t.dialog.noEntry, unit: "", soft: true };
+    const written = field ? writeValue(language, param, field) : null;
+    const bare = written === null || field?.written === "auto";
+    return { text: written ?? draft[q] ?? "", unit: bare ? "" : unitText(param), soft: false };
+  };
+  const doubtOf = (param: Param): string | null => {
+    if (isRecalled(cycle)) return null;
+    if (param.evidence !== "A") return evidence.parameter;
+    return param.rangeEvidence !== "A" && !param.choices ? evidence.range : null;
+  };
+  const promptOf = ([q, param]: readonly [string, Param]): Prompt => {
+    const words = t.params[param.text as ParamTextId];
+    const meanings: Readonly<Record<number, string>> = "choices" in words ? words.choices : {};
+    const idle = saysNothing(param, reading.partial);
+    const without = idle && param.counts ? `${param.counts.q} = ${String(reading.partial[param.counts.q])}` : null;
+    return {
+      id: q,
+      letter: q,
+      question: words.prompt,
+      label: words.label,
+      about: words.explanation,
+      page: ["guide", String(cycle.number), q],
+      name: t.dialog.value(q, words.prompt),
+      unit: unitText(param),
+      range: param.choices ? null : t.dialog.range(number(param, param.range[0]), number(param, param.range[1])),
+      notes: [
+        ...(param.incremental ? [t.dialog.incremental] : []),
+        ...(param.optional ? [t.dialog.optional] : []),
+        ...(param.reserved ? [t.dialog.reserved] : []),
+        ...(without === null ? [] : [t.dialog.withoutEffect(without)]),
+      ],
+      doubt: doubtOf(param),
+      choices: param.choices?.map((n) => ({ value: String(n), meaning: meanings[n] ?? "" })) ?? null,
+      optional: param.optional,
+      idle,
+      increments: false,
+      auto: param.kind === "feed",
+      decimals: param.decimals,
+      shown: shownOf(q, param),
+      suggestion: suggestionOf(q, param),
+    };
+  };
+  const suggestionOf = (q: string, param: Param): Prompt["suggestion"] => {
+    const found = suggestedValue(cycle, q, context);
+    return found === null || param.optional ? undefined : { text: String(found), holds: false };
+  };
+  const contourPrompt = (): Prompt => {
+    const { contour: words } = t.dialog;
+    const has = job.contour.length > 0;
+    return {
+      id: "contour",
+      letter: "LBL",
+      question: words.question,
+      label: words.label,
+      about: words.about,
+      page: ["guide", "contour"],
+      name: words.label,
+      unit: "",
+      range: null,
+      notes: [],
+      doubt: null,
+      choices: null,
+      optional: true,
+      idle: false,
+      increments: false,
+      auto: false,
+      decimals: 0,
+      shown: { text: has ? words.elements(job.contour.length) : words.none, unit: "", soft: !has },
+      bare: true,
+      action: { label: has ? words.change : t.findings.done.toContour, run: () => showSection("contour"), needed: !has },
+    };
+  };
+  const setup = setupPrompts(read, t, language, tools);
+  const contour = block === null && cycle.contour === "free" ? [contourPrompt()] : [];
+  const placeOf = (at: string): string => {
+    const place = setup.fields.find((f) => f.id === at);
+    if (place) return place.name;
+    if (isAboutTool(at)) return t.setup.tool.title;
+    const param = cycle.params[at];
+    return t.dialog.value(at, param ? t.params[param.text as ParamTextId].label : "");
+  };
+  /** A fault that leaves no path and has no prompt of its own: it is said at those that shape the contour, and at one that was changed. */
+  const isPathless = (entry: FindingEntry, id: string): boolean =>
+    isError(entry) && entry.spot === null && (entry.at === null || isAboutTool(entry.at))
+    && (cycle.params[id]?.shown === "outline" || (id in cycle.params && id === opened.prompt && draft[id] !== opened.before));
+  const set: PromptSession["set"] = block?.set ?? ((id, text) => (isSetupPlace(id) ? setPlace(id, text) : setPrompt(id, text)));
+  /** A pressed dimension opens its prompt; taken, its value goes into the open one, as a step of undo of its own. */
+  const onPick = (q: string, taken: boolean) => {
+    const into = opened.prompt;
+    if (!taken || into === null || into === q || cycle.params[into]?.choices) return openPrompt(q, draft[q] ?? "");
+    closeStep();
+    set(into, draft[q] ?? "");
+    closeStep();
+  };
+  return {
+    fields: [...setup.fields, ...contour, ...Object.entries<Param>(cycle.params).map(promptOf)],
+    draft: { ...draft, ...setup.draft },
+    readings: { ...reading.perField, ...setup.readings },
+    findings,
+    set,
+    setAll: block?.setAll ?? setPrompts,
+    idleWith: (id, text) => (other) => {
+      const param = cycle.params[other];
+      return param !== undefined && saysNothing(param, { ...reading.partial, [id]: Number(text) });
+    },
+    besides: (id) =>
+      findings.flatMap((entry) => {
+        const concerns = entry.at !== null && entry.at !== id && "other" in entry.issue.data && entry.issue.data.other === id;
+        if (!concerns && !isPathless(entry, id)) return [];
+        return [{ entry, ...(entry.at !== null && { place: placeOf(entry.at) }) }];
+      }),
+    picture: <HelpSlot read={read} q={opened.prompt !== null && opened.prompt in cycle.params ? opened.prompt : null} onPick={onPick} />,
+    opened: { id: opened.prompt, before: opened.before, focus: opened.focus },
+    open: openPrompt,
+    mayFocus: mayTakeKeyboard,
+    asksParameters: block === null,
+    keypad: "sums",
+  };
+}

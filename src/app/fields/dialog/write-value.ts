@@ -1,0 +1,47 @@
+import type { Kind, Param } from "../../../cycles/params.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { decimalSign, formatFixed, formatNumber, formatPosition } from "../../../i18n/number.ts";
+import type { FieldReading } from "../../../program/field.ts";
+import { valueAsTyped } from "../../../program/typed-value.ts";
+
+/** Decimals shown of each value in the list of prompts. */
+const SHOWN = 3;
+
+/** A read value as the list of prompts shows it: positions with their sign, three decimals. */
+export function writeValue(language: Language, param: Param, field: FieldReading): string | null {
+  const { value, written } = field;
+  if (written === "auto") return "FAUTO";
+  if (value === null) return null;
+  if (typeof written === "object" && written !== null) return valueAsTyped(written);
+  if (param.kind === "choice" || param.kind === "count") return String(value);
+  const signed = param.range[0] < 0;
+  return signed ? formatPosition(language, value, SHOWN) : formatFixed(language, value, SHOWN);
+}
+
+/** A value as one types it. */
+export const writeTyped = (language: Language, value: number, decimals: number): string => formatNumber(language, value, decimals);
+
+/** Typed text with the decimal sign of the screen; sums and Q parameters stay as they are. */
+export const inScreenWriting = (language: Language, text: string): string =>
+  /^\s*[+-]?\d*\.?\d*\s*$/.test(text) ? text.replace(".", decimalSign(language)) : text;
+
+type UnitName = "diameter" | "radius" | "axial" | "degrees" | "perRevolution" | "perMinute" | "percent" | "revolutions" | "none";
+
+const units: Readonly<Record<Exclude<Kind, "feed">, UnitName>> = {
+  choice: "none",
+  diameter: "diameter",
+  oversizeDiameter: "diameter",
+  radial: "radius",
+  axial: "axial",
+  axialDepth: "axial",
+  length: "axial",
+  angle: "degrees",
+  count: "none",
+  factor: "none",
+  percent: "percent",
+  revolutions: "revolutions",
+};
+
+/** What the value of a parameter is measured in. */
+export const unitOf = (param: Param, perRevolution: boolean): UnitName =>
+  param.kind === "feed" ? (perRevolution && !param.perMinute ? "perRevolution" : "perMinute") : units[param.kind];

@@ -1,0 +1,85 @@
+import { useMemo, useState } from "react";
+import { menuCycle } from "../chooser/menu.ts";
+import { Icon } from "../../base/Icon.tsx";
+import { usePlace } from "../../place/place.ts";
+import { undoStep } from "../../document/history.ts";
+import { keptPictures } from "../../records/kept-picture.ts";
+import { openWork, useKeeping } from "../../records/keep.ts";
+import { useWorksElsewhere } from "../../records/use-works-elsewhere.ts";
+import { useSettings } from "../../base/settings/settings.ts";
+import { useFirstTexts } from "../../base/settings/use-first-texts.ts";
+import { KeptPicture } from "./KeptPicture.tsx";
+
+/** Works that are listed here; all of them have a page of their own. */
+const FIRST = 8;
+
+/** Opens a work of the list at its beginning. */
+export async function openKept(work: string): Promise<void> {
+  usePlace.setState({ section: "prompts", prompt: null });
+  await openWork(work);
+}
+
+/** Takes a work out of the list; false where another tab has it. The code for that comes when it is asked for. */
+async function removeKept(work: string): Promise<boolean> {
+  const { removeWorks } = await import("../../records/works.ts");
+  return (await removeWorks([work])).gone.length > 0;
+}
+
+/** Earlier programs on this device, newest first. */
+export function KeptWorks() {
+  const { page: { start: t, undo }, menu } = useFirstTexts();
+  const [removed, setRemoved] = useState<string | null>(null);
+  const elsewhere = useWorksElsewhere();
+  const language = useSettings((s) => s.language);
+  const all = useKeeping((k) => k.works);
+  // Pictures are made while a work is open, not while the list is shown.
+  const pictures = useMemo(() => (all.length > 0 ? keptPictures() : {}), [all]);
+  const works = all.filter(({ cycle }) => cycle === null || menuCycle(cycle));
+  if (works.length === 0 && removed === null) return null;
+  const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
+
+  return (
+    <section className="kept-works" aria-label={t.kept}>
+      <h2>{t.kept}</h2>
+      <ul>
+        {works.slice(0, FIRST).map(({ work, savedAt, name, cycle, task }) => (
+          <li key={work}>
+            <button type="button" className="button kept-open" aria-label={t.continueWork(name)} onClick={() => void openKept(work)}>
+              <KeptPicture seen={pictures[work]} cycle={cycle} />
+              <span className="kept-words">
+                <b className="kept-name">{name}</b>
+                <span className="small kept-of">
+                  <span className="number card-number">{cycle ?? ".h"}</span> {task !== undefined && <b>{t.task}</b>}
+                  {cycle !== null && menu.of[cycle]?.name}
+                </span>
+                <span className="soft small">
+                  {t.changed(when.format(savedAt))}
+                  {elsewhere.has(work) && <b>{` · ${t.isElsewhere}`}</b>}
+                </span>
+              </span>
+            </button>
+            <button type="button" className="button icon plain" aria-label={t.forget(name)} disabled={elsewhere.has(work)}
+              onClick={() => void removeKept(work).then((gone) => gone && setRemoved(name))}
+            >
+              <Icon name="close" />
+            </button>
+          </li>
+        ))}
+      </ul>
+      {works.length > 0 && <a className="button kept-all" href="#/works">{t.allWorks(works.length)}</a>}
+      <p role="status" className="kept-removed">
+        {removed !== null && (
+          <>
+            {t.removed(removed)}
+            <button type="button" className="button" aria-label={`${undo} – ${t.removed(removed)}`} onClick={() => {
+              setRemoved(null);
+              undoStep();
+            }}>
+              <Icon name="undo" /> {undo}
+            </button>
+          </>
+        )}
+      </p>
+    </section>
+  );
+}

@@ -1,0 +1,51 @@
+import { useEffect, useLayoutEffect, useRef } from "react";
+import { createPortal } from "react-dom";
+import { decimalSign } from "../../../i18n/number.ts";
+import { padButton, writingKeys, type PadKey } from "../dialog/KeyGrid.tsx";
+import { useSettings } from "../../base/settings/settings.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { enterField, fieldEntry, scopeOf, stepField, writeEntry } from "./field-typing.ts";
+import "./keypad.css";
+
+const ROWS = {
+  words: "7 8 9 / ( up erase 4 5 6 * ) down letters 1 2 3 - Q ready sign 0 point + enter".split(" "),
+  open: "7 8 9 / ( up erase 4 5 6 * ) down letters 1 2 3 - ? ready sign 0 point + enter".split(" "),
+} as const;
+
+/** The keys of the prompts for the number field that has the keyboard, at the lower edge of the page, which makes room for them. */
+export function FieldKeypad({ field, onLetters }: {
+  readonly field: HTMLInputElement;
+  /** The keyboard of the device is wanted for this field. */
+  readonly onLetters: (field: HTMLInputElement) => void;
+}) {
+  const { dialog: { keys: t, keypad } } = useTexts();
+  const sign = decimalSign(useSettings((s) => s.language));
+  const box = useRef<HTMLDivElement>(null);
+
+  useLayoutEffect(() => {
+    document.documentElement.style.setProperty("--keypad", `${box.current?.offsetHeight ?? 0}px`);
+    return () => {
+      document.documentElement.style.removeProperty("--keypad");
+    };
+  }, []);
+  useEffect(() => {
+    field.scrollIntoView?.({ block: "nearest" });
+  }, [field]);
+
+  const writing = writingKeys(t, sign, true, (by) => () => {
+    if (field.isConnected) writeEntry(field, by(fieldEntry(field)));
+  });
+  const keys: Readonly<Record<string, PadKey>> = {
+    up: { label: "▲", name: t.previousField, press: () => stepField(field, -1) },
+    down: { label: "▼", name: t.nextField, press: () => stepField(field, 1) },
+    letters: { label: t.letters, name: t.lettersLong, press: () => onLetters(field), className: "small" },
+    ready: { label: t.ready, name: t.readyLong, press: () => field.blur(), className: "small ready" },
+    "?": { ...writing("?"), name: t.notGiven },
+    enter: { label: "ENT", name: t.enterField, press: () => enterField(field), className: "primary enter" },
+  };
+  return createPortal(<section className="field-keypad-place" aria-label={keypad}>
+    <div className="keypad field-keypad" role="group" aria-label={keypad} ref={box}>
+      {ROWS[field.dataset["number"] === "open" ? "open" : "words"].map((id) => padButton(keys[id] ?? writing(id), false))}
+    </div>
+  </section>, scopeOf(field));
+}

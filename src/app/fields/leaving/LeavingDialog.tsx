@@ -1,0 +1,32 @@
+import { Suspense, useEffect, useId, useRef } from "react";
+import type { FindingsHost } from "../../findings/host.ts";
+import { lazyPart } from "../../base/parts.ts";
+import { useLeaving } from "./leaving.ts";
+
+/** Seldom needed. */
+const LeavingQuestion = lazyPart(async () => ({ default: (await import("./LeavingQuestion.tsx")).LeavingQuestion }));
+
+/** Stands in the way of a program with faults, once for each way out; closing it keeps the program here. */
+export function LeavingDialog({ cycleOf }: Pick<FindingsHost, "cycleOf">) {
+  const id = useId();
+  const asking = useLeaving((l) => l.asking);
+  const dialog = useRef<HTMLDialogElement>(null);
+
+  useEffect(() => {
+    if (asking && !dialog.current?.open) dialog.current?.showModal();
+    if (!asking) dialog.current?.close();
+  }, [asking]);
+  useEffect(() => () => useLeaving.getState().asking?.answer(false), []);
+
+  return (
+    <dialog ref={dialog} className="leaving" role="alertdialog" aria-labelledby={`${id}-title`} aria-describedby={`${id}-what`}
+      onClose={() => asking?.answer(false)}
+    >
+      {asking && (
+        <Suspense>
+          <LeavingQuestion asking={asking} id={id} cycleOf={cycleOf} />
+        </Suspense>
+      )}
+    </dialog>
+  );
+}

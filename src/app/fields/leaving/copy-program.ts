@@ -1,0 +1,13 @@
+import type { Job } from "../../../program/job.ts";
+import { leavingText, printedText } from "../../document/printed.ts";
+import { copyText } from "../../findings/copy.ts";
+import { mayLeave } from "./leaving.ts";
+
+/** Copies a program, or the part of it that was marked; one with faults only when the operator means it. */
+export async function copyProgram(program: string, marked = program): Promise<void> {
+  const verdict = await mayLeave("copy", program);
+  if (verdict) await copyText(marked, verdict);
+}
+
+/** Copies the program of a job as the file that its control loads. */
+export const copyJob = async (job: Job): Promise<void> => copyProgram(printedText(job), await leavingText(job));

@@ -1,0 +1,187 @@
+import { useId, useRef, useState } from "react";
+import type { MachineTexts } from "../../../i18n/en/machine.ts";
+import { formatNumber } from "../../../i18n/number.ts";
+import type { MachineData } from "../../../program/machine-data.ts";
+import { EXAMPLE_MACHINE_NAMES, EXAMPLE_MACHINES } from "../../../program/example-machines.ts";
+import { machineOf, readMachine, writeMachine, type MachineProblem } from "../../../program/machine-file.ts";
+import { downloadText } from "../../base/download.ts";
+import { Icon } from "../../base/Icon.tsx";
+import { changeSettings, useSettings } from "../../base/settings/settings.ts";
+import { draftOfMachine, problemAt, readMachineDraft, MACHINE_FIELDS, type DraftPoint, type MachineDraft,
+  type MachineField } from "./draft.ts";
+import { MachineInput } from "./MachineInput.tsx";
+import { useMachineTextsSoon } from "../../base/use-machine-texts.ts";
+import "./machine.css";
+
+/** The data without the name: what makes one of the examples. */
+const valuesOf = ({ name: _, ...values }: MachineData): string => JSON.stringify(values);
+
+const exampleOf = (machine: MachineData | null) =>
+  machine && EXAMPLE_MACHINE_NAMES.find((name) => valuesOf(EXAMPLE_MACHINES[name]) === valuesOf(machine));
+
+/** The machine of this device: a preset, its values, and all of it as a file, out and in. */
+export function MachineSection() {
+  const t = useMachineTextsSoon();
+  return t && <Section t={t} />;
+}
+
+function Section({ t }: { readonly t: MachineTexts }) {
+  const kept = useSettings((s) => s.machine);
+  const output = useSettings((s) => s.output);
+  const [draft, setDraft] = useState(() => {
+    const machine = machineOf(kept);
+    return machine && draftOfMachine(machine);
+  });
+  const [isOpen, open] = useState(false);
+  const [said, say] = useState("");
+  const file = useRef<HTMLInputElement>(null);
+  const read = draft && readMachineDraft(draft);
+  const machine = read && "machine" in read ? read.machine : null;
+  const preset = draft === null ? "none" : exampleOf(machine) ?? "own";
+
+  const take = (next: MachineData | null) => {
+    setDraft(next && draftOfMachine(next));
+    changeSettings({ machine: next ? writeMachine(next) : "" });
+  };
+  /** What is typed wrong stays in its field; the last data that were right stay in force. */
+  const type = (next: MachineDraft) => {
+    setDraft(next);
+    const found = readMachineDraft(next);
+    if ("machine" in found) changeSettings({ machine: writeMachine(found.machine) });
+  };
+  const choose = (chosen: string) => {
+    say("");
+    const example = EXAMPLE_MACHINE_NAMES.find((each) => each === chosen);
+    if (example) take({ ...EXAMPLE_MACHINES[example], name: t.presets[example] });
+    else if (chosen === "none") take(null);
+    else if (draft === null) take({ name: t.newName });
+    open(chosen === "own");
+  };
+  const bringIn = async (chosen: File) => {
+    const found = readMachine(await chosen.text());
+    if ("problems" in found) {
+      const [{ kind, at, limit }] = found.problems;
+      return say(t.refused(t.problems[kind](at === "" ? "" : `${at}: `, String(limit ?? ""))));
+    }
+    const { output: brought, ...data } = found.machine;
+    take(data);
+    if (brought) changeSettings({ output: brought });
+    say(t.taken(data.name));
+  };
+  const functions = t.functions(`M${output.spindleOn}`, output.spindleOff === null ? t.noFunction : `M${output.spindleOff}`);
+  return (
+    <section className="machine" aria-labelledby="machine-title">
+      <h3 id="machine-title">{t.title}</h3>
+      <p className="small soft">{t.lead}</p>
+      <label>
+        <span>{t.preset}</span>
+        <select className="select" value={preset} onChange={(event) => choose(event.currentTarget.value)}>
+          {(["none", ...EXAMPLE_MACHINE_NAMES, "own"] as const).map((each) => <option key={each} value={each}>{t.presets[each]}</option>)}
+        </select>
+      </label>
+      {preset !== "none" && preset !== "own" && <p className="small soft">{t.examples}</p>}
+      {draft && read && (
+        <details open={isOpen} onToggle={(event) => open(event.currentTarget.open)}>
+          <summary>{t.values}</summary>
+          <MachineForm t={t} draft={draft} problems={"problems" in read ? read.problems : []} type={type} />
+        </details>
+      )}
+      {draft && !machine && (
+        <p className="field-message warning" role="status">
+          <Icon name="warning" /> {t.kept}
+        </p>
+      )}
+      {draft && <p className="small soft">{functions}</p>}
+      <div className="bring-buttons">
+        {machine && (
+          <button type="button" className="button" onClick={() => downloadText(writeMachine({ ...machine, output }), "MACHINE.json")}>
+            <Icon name="download" /> {t.save}
+          </button>
+        )}
+        <button type="button" className="button" onClick={() => file.current?.click()}>{t.open}</button>
+        <input ref={file} type="file" hidden accept=".json,application/json" onChange={(event) => {
+          const [chosen] = event.currentTarget.files ?? [];
+          event.currentTarget.value = "";
+          if (chosen) void bringIn(chosen);
+        }} />
+      </div>
+      <p role="status" className="small">{said}</p>
+    </section>
+  );
+}
+
+/** Which values belong together, and how each is counted. */
+const GROUPS = {
+  rapid: [["rapidX", "rate"], ["rapidZ", "rate"]],
+  acceleration: [["accelerationX", "acceleration"], ["accelerationZ", "acceleration"]],
+  change: [["toolChange", "seconds"]],
+  spindle: [["most", "rpm"], ["runUp", "seconds"], ["power", "power"]],
+} as const satisfies Readonly<
+  Partial<Record<keyof MachineTexts["groups"], readonly (readonly [field: MachineField, unit: keyof MachineTexts["units"]])[]>>
+>;
+const GROUP_NAMES = Object.keys(GROUPS) as readonly (keyof typeof GROUPS)[];
+
+const EMPTY_POINT: DraftPoint = { speed: "", torque: "" };
+const MOST_POINTS = 20;
+
+interface FormProps {
+  readonly t: MachineTexts;
+  readonly draft: MachineDraft;
+  readonly problems: readonly MachineProblem[];
+  readonly type: (draft: MachineDraft) => void;
+}
+
+function MachineForm({ t, draft, problems, type }: FormProps) {
+  const id = useId();
+  const language = useSettings((s) => s.language);
+  const said = (at: string): string | null => {
+    const problem = problemAt(problems, at);
+    return problem ? t.problems[problem.kind]("", formatNumber(language, problem.limit ?? 0)) : null;
+  };
+  const { torque } = draft;
+  const setPoint = (which: number, change: Partial<DraftPoint>) =>
+    type({ ...draft, torque: torque.map((point, i) => (i === which ? { ...point, ...change } : point)) });
+  const alone = said("acceleration"), curve = said("spindle.torque");
+  return (
+    <div className="machine-form">
+      <label className="machine-name">
+        <span>{t.name}</span>
+        <input className="input" type="text" maxLength={60} autoComplete="off" value={draft.name} aria-invalid={said("name") !== null}
+          onKeyDown={(event) => event.key === "Enter" && event.preventDefault()}
+          onChange={(event) => type({ ...draft, name: event.currentTarget.value })} />
+      </label>
+      {GROUP_NAMES.map((group) => (
+        <fieldset key={group} className="machine-group">
+          <legend>{t.groups[group]}</legend>
+          {GROUPS[group].map(([field, unit]) => (
+            <MachineInput key={field} name={t.fields[field]} unit={t.units[unit]} text={draft[field]} wrong={said(MACHINE_FIELDS[field])}
+              onText={(text) => type({ ...draft, [field]: text })} />
+          ))}
+          {group === "acceleration" && alone !== null && <p className="field-message error">{alone}</p>}
+        </fieldset>
+      ))}
+      <fieldset className="machine-group">
+        <legend>{t.groups.torque}</legend>
+        {torque.map((point, i) => (
+          <div key={`${id}${i}`} className="machine-point">
+            <MachineInput name={t.fields.speed(`${i + 1}`)} unit={t.units.rpm} text={point.speed} wrong={said(`spindle.torque.${i}.speed`)}
+              onText={(speed) => setPoint(i, { speed })} />
+            <MachineInput name={t.fields.torque(`${i + 1}`)} unit={t.units.torque} text={point.torque}
+              wrong={said(`spindle.torque.${i}.torque`)} onText={(of) => setPoint(i, { torque: of })} />
+            <button type="button" className="button icon plain" aria-label={t.removePoint(`${i + 1}`)}
+              onClick={() => type({ ...draft, torque: torque.filter((_, each) => each !== i) })}
+            >
+              <Icon name="remove" />
+            </button>
+          </div>
+        ))}
+        {curve !== null && <p className="field-message error">{curve}</p>}
+        <button type="button" className="button" disabled={torque.length >= MOST_POINTS}
+          onClick={() => type({ ...draft, torque: [...torque, EMPTY_POINT] })}
+        >
+          <Icon name="add" /> {t.addPoint}
+        </button>
+      </fieldset>
+    </div>
+  );
+}

@@ -1,0 +1,146 @@
+// @vitest-environment jsdom
+import { beforeEach, expect, test } from "vitest";
+import { shippedTools } from "../../../program/shipped-tools.ts";
+import { engine } from "../../calculation/engine.ts";
+import { forgetOutcome, takeOutcome } from "../../calculation/outcome.ts";
+import { useKeeping } from "../../records/keep.ts";
+import { undo, redo } from "../../document/steps.ts";
+import { begin, changeProgram, useEditor } from "../../document/store.ts";
+import { textsOf } from "../../document/work.ts";
+import { endChoice, useChoice } from "../../document/choice.ts";
+import { plainFiles } from "../../records/files/file-handle.ts";
+import { LARGEST_PROGRAM } from "../../base/limits.ts";
+import { missingFiles } from "../../calculation/missing-files.ts";
+import { addFiles, openDropped, openFiles } from "./open-program.ts";
+import { shownBeside, shownFile, showFile } from "../../document/shown-file.ts";
+
+const pgm = (lines: string) => `0 BEGIN PGM S MM\n${lines}\nEND PGM S MM\n`;
+
+/** Files of the device; jsdom gives their bytes only when asked in its own way. */
+function chosen(texts: Readonly<Record<string, string>>) {
+  return plainFiles(
+    Object.entries(texts).map(([name, text]) => fileOf(name, async () => new TextEncoder().encode(text).buffer, text.length)),
+  );
+}
+const fileOf = (name: string, arrayBuffer: () => Promise<ArrayBuffer>, size: number) =>
+  Object.defineProperties(new File([], name), { arrayBuffer: { value: arrayBuffer }, size: { value: size } });
+
+const program = () => {
+  const { program: open } = useEditor.getState();
+  if (!open) throw new Error("no program is open");
+  return open;
+};
+const names = () => textsOf(program()).map(({ name }) => name);
+const calculate = () => {
+  const { name, text, files = [] } = program();
+  const table = { tools: shippedTools, mills: [], refused: new Map() };
+  const outcome = engine.update({ version: version += 1, name, text, files, table, rapid: 10_000, control: "TNC 640" });
+  takeOutcome(outcome);
+  return outcome;
+};
+let version = 0;
+
+beforeEach(() => {
+  begin(null, null);
+  forgetOutcome();
+  showFile(null);
+  useKeeping.setState({ notices: [] });
+  endChoice();
+});
+
+test("one file is a program alone; several are one work, and the one that no other calls runs", async () => {
+  expect(await openFiles(chosen({ "a.h": pgm("L X+1") }))).toBe("opened");
+  expect(program()).toEqual({ name: "a.h", text: pgm("L X+1"), encoding: "utf-8" });
+  await openFiles(chosen({ "cut.h": pgm("L X+1"), "whole.h": pgm("CALL PGM CUT"), "p.tab": "1" }));
+  expect(names()).toEqual(["whole.h", "cut.h", "p.tab"]);
+  expect(useKeeping.getState().notices).toEqual([]);
+});
+
+test("several programs that no other calls are not forced into one work: which is opened is asked", async () => {
+  const texts = { "a.h": pgm("CALL PGM SUB"), "b.h": pgm("L X+2\nCALL PGM TNC:\\sub\\SUB.H"), "sub.h": pgm("L X+3"), "p.tab": "1" };
+  const choice = () => {
+    const { choice: asked } = useChoice.getState();
+    if (!asked) throw new Error("nothing is asked");
+    return asked;
+  };
+  expect(await openFiles(chosen(texts))).toBe("opened");
+  expect(useEditor.getState().program).toBeNull();
+  expect(choice().works.map((work) => textsOf(work).map(({ name }) => name))).toEqual([["a.h", "sub.h"], ["b.h", "sub.h"]]);
+  choice().open(choice().works);
+  expect(names()).toEqual(["a.h", "sub.h"]);
+  undo();
+  expect(names()).toEqual(["b.h", "sub.h"]);
+  choice().together();
+  expect(names()).toEqual(["a.h", "b.h", "sub.h", "p.tab"]);
+  expect(useKeeping.getState().notices).toEqual([]);
+});
+
+test("programs that all call each other are one work, and that it is not clear which one runs is said", async () => {
+  await openFiles(chosen({ "a.h": pgm("CALL PGM B"), "b.h": pgm("CALL PGM A") }));
+  expect(names()).toEqual(["a.h", "b.h"]);
+  expect(useKeeping.getState().notices).toEqual(["mainUnsure"]);
+});
+
+test("of two files with one name the first counts", async () => {
+  await openFiles(chosen({ "a.h": pgm("CALL PGM B"), "b.h": pgm("L X+1"), "B.H": pgm("L X+2") }));
+  expect(textsOf(program()).map(({ name, text }) => [name, text.includes("X+1")])).toEqual([["a.h", false], ["b.h", true]]);
+});
+
+test("a file that can not be read is said, and the others are opened", async () => {
+  const broken = plainFiles([fileOf("folder", () => Promise.reject(new Error("a folder")), 10)]);
+  expect(await openFiles([...chosen({ "a.h": pgm("L X+1") }), ...broken])).toBe("opened");
+  expect(names()).toEqual(["a.h"]);
+  expect(useKeeping.getState().notices).toEqual(["fileUnreadable"]);
+  expect(await openFiles(broken)).toBe("unreadable");
+  expect(names()).toEqual(["a.h"]);
+});
+
+test("files that are too large together are not opened, nor put beside a program", async () => {
+  const large = plainFiles(["a.h", "b.h"].map((name) => fileOf(name, async () => new ArrayBuffer(1), LARGEST_PROGRAM / 2 + 1)));
+  expect(await openFiles(large)).toBe("tooLarge");
+  expect(useEditor.getState().program).toBeNull();
+  await openFiles(chosen({ "main.h": pgm("CALL PGM A") }));
+  await addFiles(large);
+  expect(names()).toEqual(["main.h"]);
+  expect(useKeeping.getState().notices).toEqual(["fileTooLarge"]);
+});
+
+test("what a program calls and does not have is missing until it is added; taking it back is one step", async () => {
+  await openFiles(chosen({ "main.h": pgm("CALL PGM TNC:\\work\\cut\nCALL PGM CUT.H\nCALL PGM B"), "b.h": pgm("L X+1") }));
+  const outcome = calculate();
+  expect(missingFiles(program(), outcome)).toEqual(["CUT.H"]);
+  await addFiles(chosen({ "cut (1).h": pgm("L X+2") }), "CUT.H");
+  expect(names()).toEqual(["main.h", "b.h", "CUT.H"]);
+  expect(missingFiles(program(), outcome)).toEqual([]);
+  expect(missingFiles(program(), calculate())).toEqual([]);
+  undo();
+  expect(names()).toEqual(["main.h", "b.h"]);
+  redo();
+  expect(names()).toEqual(["main.h", "b.h", "CUT.H"]);
+});
+
+test("what is dropped on a program that waits for it belongs to it; anything else is a work of its own", async () => {
+  const drop = (texts: Readonly<Record<string, string>>) =>
+    openDropped({ items: [], files: chosen(texts).map(({ file }) => file), getData: () => "" } as unknown as DataTransfer);
+  await openFiles(chosen({ "main.h": pgm("CALL PGM CUT\nCALL PGM B") }));
+  calculate();
+  const { work } = useEditor.getState();
+  await drop({ "cut.h": pgm("L X+1") });
+  expect(names()).toEqual(["main.h", "cut.h"]);
+  expect(useEditor.getState().work).toBe(work);
+  calculate();
+  await drop({ "b.h": pgm("CALL PGM C"), "c.h": pgm("L X+2") });
+  expect(names()).toEqual(["b.h", "c.h"]);
+  expect(useEditor.getState().work).not.toBe(work);
+});
+
+test("the file that is shown is the program where it is none of the work's", async () => {
+  await openFiles(chosen({ "main.h": pgm("CALL PGM CUT"), "cut.h": pgm("L X+1") }));
+  expect(shownFile(program()).name).toBe("main.h");
+  showFile("CUT.H");
+  expect([shownFile(program()).name, shownBeside()?.name]).toEqual(["cut.h", "cut.h"]);
+  changeProgram(({ files: _, ...rest }) => rest);
+  expect([shownFile(program()).name, shownBeside()]).toEqual(["main.h", null]);
+  undo();
+  expect(shownBeside()?.name).toBe("cut.h");
+});

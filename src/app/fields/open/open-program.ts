@@ -1,0 +1,198 @@
+import { decode } from "../../document/encoding.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import type { HandedOn } from "../../../program/job.ts";
+import { fileKey } from "../../../program/program-files.ts";
+import { untilHere } from "../../base/parts.ts";
+import { notice, startWork } from "../../records/keep.ts";
+import { changeProgram, useEditor } from "../../document/store.ts";
+import { bringIn, isArchiveName } from "../../records/bring-in-place.ts";
+import { broughtBy, textsOf, withFile, type ProgramWork, type WorkFile } from "../../document/work.ts";
+import { fileNameOf } from "../../base/file-name.ts";
+import { asKlartext, mayBeIso } from "../../records/files/iso-file.ts";
+import { askWhich, useChoice } from "../../document/choice.ts";
+import type { FolderContent } from "../../records/files/folder.ts";
+import { handleOf, plainFiles, type Chosen, type FileHandle } from "../../records/files/file-handle.ts";
+import { LARGEST_PROGRAM } from "../../base/limits.ts";
+import { missingFiles } from "../../calculation/missing-files.ts";
+
+/** Opens a program as work of its own; what was open stays on the device. */
+export const openProgram = (program: ProgramWork): void => startWork(program);
+
+/** What became of files that were to be opened. */
+export type Opening = "opened" | "tooLarge" | "unreadable";
+
+interface Read {
+  readonly files: readonly WorkFile[];
+  readonly handles: readonly { readonly name: string; readonly handle: FileHandle; readonly bytes: Uint8Array<ArrayBuffer> }[];
+  /** False when one of them could not be read. */
+  readonly whole: boolean;
+}
+
+/** The texts of chosen files; of two with one name the first counts. A translated one is not written back to where it came from. */
+async function read(chosen: readonly Chosen[]): Promise<Read> {
+  const all = await Promise.all(chosen.map(async ({ file, handle }) => {
+    try {
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      const own = { name: file.name, ...decode(bytes) };
+      const klartext = await asKlartext(own);
+      return { file: klartext, handle: klartext === own ? handle : null, bytes };
+    } catch {
+      return null;
+    }
+  }));
+  const found = [...new Map(all.flatMap((each) => (each ? [[fileKey(each.file.name), each] as const] : [])).reverse()).values()].reverse();
+  return {
+    files: found.map(({ file }) => file),
+    handles: found.flatMap(({ file, handle, bytes }) => (handle ? [{ name: file.name, handle, bytes }] : [])),
+    whole: all.every((each) => each !== null),
+  };
+}
+
+/** Notes the files of the device that the open work came from, so that it can be saved back to them. */
+async function remember({ handles }: Pick<Read, "handles">): Promise<void> {
+  const { work } = useEditor.getState();
+  if (work === null || handles.length === 0) return;
+  const { keepHandle } = await untilHere(() => import("../../records/files/kept-handles.ts"));
+  for (const { name, handle, bytes } of handles) await keepHandle(work, name, handle, bytes);
+}
+
+/** Opens a work that was read, with the way back to its files. */
+function openRead(work: ProgramWork, { handles }: Pick<Read, "handles">): void {
+  openProgram(work);
+  const keys = new Set(textsOf(work).map(({ name }) => fileKey(name)));
+  void remember({ handles: handles.filter(({ name }) => keys.has(fileKey(name))) });
+}
+
+/**
+ * Opens files together: as one work where one program calls the others, the rest beside it. Where several programs could run, which is
+ * asked; closing the question opens none.
+ */
+async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent, "files">): Promise<boolean> {
+  const { files } = found;
+  const [first] = files;
+  if (!first) return false;
+  if (files.length === 1) {
+    openRead(first, found);
+    return true;
+  }
+  const [{ mainOf }, { parse }] = await Promise.all([import("../../../program/main-program.ts"), import("../../../nc/parse.ts")]);
+  const { index, sure, free } = mainOf(files, parse);
+  const main = files[index] ?? first;
+  const whole: ProgramWork = { ...main, files: files.filter((file) => file !== main) };
+  const workOf = (at: number, calls: readonly number[]): ProgramWork => {
+    const beside = calls.flatMap((i) => files[i] ?? []);
+    const own = files[at] ?? first;
+    return beside.length > 0 ? { ...own, files: beside } : own;
+  };
+  if (free.length < 2) {
+    openRead(whole, found);
+    if (!sure) notice("mainUnsure");
+    return true;
+  }
+  askWhich({
+    works: free.map(({ index: at, calls }) => workOf(at, calls)),
+    skipped,
+    isCut,
+    // The first of them is opened last: it is the one that is seen.
+    open: (works) => works.toReversed().forEach((work) => openRead(work, found)),
+    together: () => openRead(whole, found),
+  });
+  return true;
+}
+
+const sizeOf = (chosen: readonly Chosen[]): number => chosen.reduce((sum, { file }) => sum + file.size, 0);
+
+/** Opens files of the device as one work. What was open before stays open when they can not be. */
+export async function openFiles(chosen: readonly Chosen[]): Promise<Opening> {
+  const [first] = chosen;
+  if (first && isArchiveName(first.file.name)) {
+    await bringIn(first.file);
+    return "opened";
+  }
+  if (chosen.some(({ file }) => /\.json$/i.test(file.name)) && (await openTaught(chosen.map(({ file }) => file)))) return "opened";
+  return openRest(chosen, { skipped: 0, isCut: false });
+}
+
+/** Opens tasks and results, told by the name that they are saved under, or by what stands in them; false for other files. */
+async function openTaught(files: readonly File[]): Promise<boolean> {
+  const { areTaught, openTaughtFiles } = await untilHere(() => import("../../course/teach/open-taught.ts"));
+  if (!files.some(({ name }) => /\.turnwise-(?:task|result)\b.*\.json$/i.test(name)) && !(await areTaught(files))) return false;
+  await openTaughtFiles(files);
+  return true;
+}
+
+async function openRest(chosen: readonly Chosen[], leftOut: Omit<FolderContent, "files">): Promise<Opening> {
+  try {
+    if (sizeOf(chosen) > LARGEST_PROGRAM) return "tooLarge";
+    const found = await read(chosen);
+    if (!(await openTogether(found, leftOut))) return "unreadable";
+    if (!found.whole) notice("fileUnreadable");
+    return "opened";
+  } catch {
+    return "unreadable";
+  }
+}
+
+/** Opens what lies in a folder. What is left out of it is said. */
+export async function openFolder({ files, ...leftOut }: FolderContent): Promise<Opening> {
+  const opening = await openRest(files, leftOut);
+  if (opening === "opened" && (leftOut.skipped > 0 || leftOut.isCut) && !useChoice.getState().choice) notice("filesLeftOut");
+  return opening;
+}
+
+/** Puts files beside the open program, as one step of undo. A single one may stand under the name by which it is called. */
+export async function addFiles(chosen: readonly Chosen[], name: string | null = null): Promise<void> {
+  const { program, work } = useEditor.getState();
+  if (!program || chosen.length === 0) return;
+  const held = textsOf(program).reduce((sum, { text }) => sum + text.length, 0);
+  if (held + sizeOf(chosen) > LARGEST_PROGRAM) return notice("fileTooLarge");
+  const found = await read(chosen);
+  if (useEditor.getState().work !== work) return;
+  const named = ([file]: readonly WorkFile[]) => (file && name !== null ? [{ ...file, name }] : []);
+  const files = name !== null && found.files.length === 1 ? named(found.files) : found.files;
+  changeProgram((now) => files.reduce(withFile, now));
+  void remember(found);
+  if (!found.whole) notice("fileUnreadable");
+}
+
+/** Opens text that was pasted or printed; what the work that it was printed from runs with, and how it is written, goes along. */
+export function openText(text: string, { output, ...brought }: HandedOn & Pick<ProgramWork, "output"> = {}): void {
+  const file = { name: fileNameOf(text), text, encoding: "utf-8" } as const;
+  const open = (made: WorkFile) => openProgram({ ...made, ...broughtBy(brought), ...(output && { output }) });
+  if (mayBeIso(text)) void asKlartext(file).then(open);
+  else open(file);
+}
+
+/** What is dropped on a program that waits for just these files belongs to it. */
+function areWaitedFor(chosen: readonly Chosen[]): boolean {
+  const { program } = useEditor.getState();
+  const missing = new Set(program ? missingFiles(program, useOutcome.getState().newest).map(fileKey) : []);
+  return chosen.every(({ file }) => missing.has(fileKey(file.name)));
+}
+
+/** Opens what was dropped on the page, with the right to write it back where the browser gives it. What can not be opened is said. */
+export async function openDropped(data: DataTransfer): Promise<void> {
+  // What is dropped can only be asked for at once.
+  const items = [...data.items].filter((each) => each.kind === "file");
+  const entries = items.map((each) => each.webkitGetAsEntry?.() ?? null);
+  const handles = items.map(handleOf);
+  const files = [...data.files];
+  const text = data.getData("text/plain");
+  const sayNot = (opening: Opening) => {
+    if (opening !== "opened") notice(opening === "tooLarge" ? "fileTooLarge" : "fileUnreadable");
+  };
+  const known = await Promise.all(handles);
+  if (entries.some((entry) => entry?.isDirectory) || known.some((handle) => handle && "values" in handle)) {
+    const { filesOfDrop } = await untilHere(() => import("../../records/files/folder.ts"));
+    return sayNot(await openFolder(await filesOfDrop(items.map((_, i) => ({ handle: known[i] ?? null, entry: entries[i] ?? null })))));
+  }
+  if (files.length > 0) {
+    const chosen = plainFiles(files).map((each, i): Chosen => {
+      const handle = known[i] ?? null;
+      return { ...each, handle: handle && !("values" in handle) ? handle : null };
+    });
+    if (areWaitedFor(chosen)) return addFiles(chosen);
+    return sayNot(await openFiles(chosen));
+  }
+  if (text.trim() !== "") openText(text);
+}

@@ -1,0 +1,24 @@
+import type { StatementOf } from "../../../nc/statement.ts";
+import { isKnownCycle } from "../../../program/own-cycle.ts";
+import { Icon } from "../../base/Icon.tsx";
+import { useTableTexts } from "../../base/settings/use-table-texts.ts";
+import { describeBlock, isFull } from "../blocks/own-edits.ts";
+import { showOwn } from "../../document/own-place.ts";
+import { libraryOf } from "../../document/own-reading.ts";
+import { useOwn } from "../../document/own-store.ts";
+
+/** The way from a block whose cycle nobody here knows to its description, which the text of the block proposes. */
+export function DescribeCycle({ statement }: { readonly statement: StatementOf<"cycle"> }) {
+  const t = useTableTexts().own;
+  const list = useOwn((s) => s.list);
+  if (isKnownCycle(statement.cycle)) return null;
+  const begun = [...libraryOf(list).rows.values()].some(({ number }) => number === statement.cycle);
+  return (
+    <div className="describe-cycle">
+      <p className="small soft">{t.describeAbout}</p>
+      <button type="button" className="button" disabled={!begun && isFull(list)} onClick={() => showOwn(describeBlock(statement), true)}>
+        <Icon name="add" /> {begun ? t.change : t.describe}
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,34 @@
+import { useState } from "react";
+import { INCH } from "../../../kernel/units.ts";
+import { clampingIn, proposedClamping, withClamping } from "../../../program/clamping/draft.ts";
+import type { ClampingDraft } from "../../../program/clamping/words.ts";
+import { boundsOf } from "../../../view/bounds.ts";
+import { editProgram, useSession } from "../blocks/session.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import { HandingDialog } from "../../base/HandingDialog.tsx";
+import { ClampingFields } from "../setup/ClampingFields.tsx";
+import { useClampingTexts } from "../setup/clamping-texts.ts";
+
+/** A blank that nothing is known of, mm. */
+const SOME_BLANK = { left: -80, right: 0, high: 30 };
+
+/** What the open program is held by: a comment behind its blank, which each change writes. */
+export function ClampingDialog({ done }: { readonly done: () => void }) {
+  const t = useClampingTexts();
+  const [draft, keep] = useState(() => clampingIn(useSession.getState().reading.program)?.draft ?? null);
+  const run = useOutcome((s) => s.shown?.run), inch = run?.program.unit === "inch";
+  if (!t) return null;
+  const set = (next: ClampingDraft | null, place: string | null) => {
+    keep(next);
+    editProgram(withClamping(useSession.getState().reading.program, next), place);
+  };
+  return (
+    <HandingDialog title={t.title} done={done}>
+      <p className="small soft">{t.inProgram}</p>
+      <div className="setup clamping-fields">
+        <ClampingFields draft={draft} set={set} inch={inch}
+          propose={() => proposedClamping(boundsOf(run?.blank.flat() ?? []) ?? SOME_BLANK, inch ? INCH : 1)} />
+      </div>
+    </HandingDialog>
+  );
+}

@@ -1,0 +1,26 @@
+import { useLayoutEffect, useRef } from "react";
+import { useFirstTexts } from "../../base/settings/use-first-texts.ts";
+import { closeCopying, useCopying } from "../../findings/copy.ts";
+
+/** Where the clipboard is refused: the text, selected, to be copied by hand. */
+export function CopyByHand() {
+  const t = useFirstTexts().page;
+  const text = useCopying((c) => c.text);
+  const dialog = useRef<HTMLDialogElement>(null);
+  const area = useRef<HTMLTextAreaElement>(null);
+
+  useLayoutEffect(() => {
+    dialog.current?.showModal();
+    area.current?.focus();
+    area.current?.select();
+  }, []);
+
+  return (
+    <dialog ref={dialog} className="copy-by-hand" aria-label={t.text.refusedTitle} onClose={closeCopying}>
+      <h2>{t.text.refusedTitle}</h2>
+      <p>{t.text.refused}</p>
+      <textarea ref={area} className="number" readOnly rows={16} value={text} aria-label={t.text.title} />
+      <button type="button" className="button primary" onClick={() => dialog.current?.close()}>{t.close}</button>
+    </dialog>
+  );
+}

@@ -1,0 +1,133 @@
+import { Suspense, useState, type ReactNode } from "react";
+import { handOver, useEditor } from "../../document/store.ts";
+import type { ShownVerdict } from "../../findings/verdict.ts";
+import { CompareButton } from "../compare/CompareButton.tsx";
+import type { ShowBlock } from "../../place/compare-place.ts";
+import { Icon } from "../../base/Icon.tsx";
+import { mayLeave } from "../leaving/leaving.ts";
+import { lazyPart } from "../../base/parts.ts";
+import { printedText, programName } from "../../document/printed.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { showSheet } from "../../document/sheet-place.ts";
+import { isProgram, type Work } from "../../document/work.ts";
+
+/** Fetched when it is first opened. */
+const HandOnDialog = lazyPart(async () => ({ default: (await import("../../handing/HandOnDialog.tsx")).HandOnDialog }));
+const PartExport = lazyPart(async () => ({ default: (await import("../../export/PartExport.tsx")).PartExport }));
+const TurnRound = lazyPart(async () => ({ default: (await import("./TurnRound.tsx")).TurnRound }));
+const ProgramDrawing = lazyPart(async () => ({ default: (await import("../../course/drawing/ProgramDrawing.tsx")).ProgramDrawing }));
+const ClampingDialog = lazyPart(async () => ({ default: (await import("./ClampingDialog.tsx")).ClampingDialog }));
+const OutputDialog = lazyPart(async () => ({ default: (await import("./OutputDialog.tsx")).OutputDialog }));
+const TeachDialog = lazyPart(async () => ({ default: (await import("../../course/teach/TeachDialog.tsx")).TeachDialog }));
+
+/** A work on its way out, with the verdict that goes with it. */
+interface Leaving {
+  readonly open: Work;
+  readonly verdict: ShownVerdict;
+}
+
+/** The open work with the verdict on it; null where one with faults is to stay. */
+async function leaving(): Promise<Leaving | null> {
+  handOver();
+  const { job, program } = useEditor.getState();
+  const open = job ?? program;
+  const verdict = open && await mayLeave("share", isProgram(open) ? open.text : printedText(open));
+  return open && verdict && { open, verdict };
+}
+
+/** The text of what is open. */
+function openText(): string {
+  handOver();
+  const { job, program } = useEditor.getState();
+  if (program) return program.text;
+  return job ? printedText(job) : "";
+}
+
+/** The name of the open program without its ending: files made of it begin with it. */
+function openStem(): string {
+  handOver();
+  const { job, program } = useEditor.getState();
+  if (program) return program.name.replace(/\.[^.]*$/, "");
+  return job ? programName(printedText(job)) : "";
+}
+
+/** What else can be made of the open program, below its ways out; what a workplace has of its own comes last. */
+export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowBlock; readonly children?: ReactNode }) {
+  const { page: { text: t } } = useTexts();
+  const [handed, handOn] = useState<Leaving | null>(null);
+  const [exported, exportPart] = useState<string | null>(null);
+  const [turned, turnRound] = useState<string | null>(null);
+  const [drawn, draw] = useState<string | null>(null);
+  const [sets, setOutput] = useState(false);
+  const [clamps, setClamps] = useState(false);
+  const ofProgram = useEditor((s) => s.program !== null);
+  const [taught, teach] = useState<{ readonly text: string; readonly work: string } | null>(null);
+  return (
+    <div className="program-more">
+      <button type="button" className="button plain" onClick={() => {
+        handOver();
+        showSheet();
+      }}>
+        <Icon name="print" /> {t.setupSheet}
+      </button>
+      <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => draw(openStem())}>
+        <Icon name="drawing" /> {t.workshopDrawing}
+      </button>
+      {drawn !== null && (
+        <Suspense>
+          <ProgramDrawing stem={drawn} done={() => draw(null)} />
+        </Suspense>
+      )}
+      <button type="button" className="button plain" onClick={() => void leaving().then(handOn)}>
+        <Icon name="share" /> {t.handOn}
+      </button>
+      {handed && (
+        <Suspense>
+          <HandOnDialog {...handed} done={() => handOn(null)} />
+        </Suspense>
+      )}
+      <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => exportPart(openStem())}>
+        <Icon name="solid" /> {t.exportPart}
+      </button>
+      {exported !== null && (
+        <Suspense>
+          <PartExport stem={exported} done={() => exportPart(null)} />
+        </Suspense>
+      )}
+      <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => turnRound(openText())}>
+        <Icon name="turn" /> {t.turnRound}
+      </button>
+      {turned !== null && (
+        <Suspense>
+          <TurnRound text={turned} done={() => turnRound(null)} />
+        </Suspense>
+      )}
+      <button type="button" className="button plain" aria-haspopup="dialog"
+        onClick={() => teach({ text: openText(), work: useEditor.getState().work ?? "" })}
+      >
+        <Icon name="rename" /> {t.makeTask}
+      </button>
+      {taught !== null && (
+        <Suspense>
+          <TeachDialog {...taught} done={() => teach(null)} />
+        </Suspense>
+      )}
+      {ofProgram && (
+        <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => setClamps(true)}>{t.clamping}</button>
+      )}
+      {clamps && (
+        <Suspense>
+          <ClampingDialog done={() => setClamps(false)} />
+        </Suspense>
+      )}
+      <CompareButton showBlock={showBlock} />
+      <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => setOutput(true)}>{t.output}</button>
+      {sets && (
+        <Suspense>
+          <OutputDialog done={() => setOutput(false)} />
+        </Suspense>
+      )}
+      {children}
+    </div>
+  );
+}

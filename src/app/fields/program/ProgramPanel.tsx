@@ -1,0 +1,102 @@
+import { LANGUAGE_NAMES, LANGUAGES, isLanguage, ncLanguage } from "../../../i18n/languages.ts";
+import { JOB_LAYOUTS } from "../../../program/nc-output.ts";
+import { setLayout, setName, setNcLanguage } from "../../document/edits.ts";
+import { openText } from "../open/open-program.ts";
+import { Icon } from "../../base/Icon.tsx";
+import { Late } from "../../base/Late.tsx";
+import { CopyStatus } from "../leaving/CopyStatus.tsx";
+import { mayLeave } from "../leaving/leaving.ts";
+import { fileOfJob, leavingText, printedText } from "../../document/printed.ts";
+import type { JobReading } from "../../document/reading.ts";
+import { changeSettings } from "../../base/settings/settings.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { closeStep } from "../../document/steps.ts";
+import { chooseJobLine, useChosenLine } from "./choose-line.ts";
+import { CopyButton } from "./CopyButton.tsx";
+import { downloadText } from "../../base/download.ts";
+import { FileNote } from "./FileNote.tsx";
+import { useFileKind, useShownText } from "../../document/output.ts";
+import { ProgramMore } from "./ProgramMore.tsx";
+import { ProgramText } from "./ProgramText.tsx";
+import { useRunningBlock } from "./running-block.ts";
+
+/** The program as the control writes it: to read, to copy, to take along. */
+export function ProgramPanel({ read, foldable }: { readonly read: JobReading; readonly foldable: boolean }) {
+  const { page: { text: t, programs: open } } = useTexts();
+  const { job } = read;
+  const { text, iso } = useShownText(job);
+  const file = fileOfJob(job);
+  const kind = useFileKind();
+  const running = useRunningBlock();
+  const chosen = useChosenLine(read);
+  const download = async () => {
+    const leaving = await leavingText(job);
+    if (await mayLeave("download", printedText(job))) downloadText(leaving, file);
+  };
+
+  return (
+    <section className="program" aria-label={t.title}>
+      <header>
+        <h2 className="panel-title">{t.title}</h2>
+        {foldable && (
+          <button type="button" className="button icon plain" aria-label={t.fold} title={t.fold} onClick={() =>
+            changeSettings({ programFolded: true })}
+          >
+            <Icon name="fold" />
+          </button>
+        )}
+      </header>
+      <div className="program-options">
+        <label className="program-name">
+          <span>{t.name}</span>
+          <input className="input" type="text" value={job.name} maxLength={32} spellCheck={false} autoComplete="off"
+            onChange={(e) => setName(e.currentTarget.value)} onBlur={closeStep} />
+        </label>
+        <label>
+          <span>{t.layout}</span>
+          <select className="select" value={job.layout}
+            onChange={(e) => setLayout(JOB_LAYOUTS.find((layout) => layout === e.target.value) ?? "tnc640")}
+          >
+            {JOB_LAYOUTS.map((layout) => <option key={layout} value={layout}>{t.layouts[layout]}</option>)}
+          </select>
+        </label>
+        <label>
+          <span>{t.language}</span>
+          <select className="select" aria-label={t.languageLong} value={job.ncLanguage}
+            onChange={(e) => isLanguage(e.target.value) && setNcLanguage(e.target.value)}
+          >
+            {LANGUAGES.map((language) => <option key={language} value={language} lang={language}>{LANGUAGE_NAMES[language]}</option>)}
+          </select>
+        </label>
+        {job.ncLanguage !== ncLanguage(job.ncLanguage) && <p className="small soft program-note">{t.noChinese}</p>}
+      </div>
+      {!read.reading.values && (
+        <p className="field-message warning">
+          <Icon name="warning" /> {t.incomplete}
+        </p>
+      )}
+      <Late>
+        <ProgramText text={text} running={running} chosen={chosen} choose={(line) => void chooseJobLine(read, line)} />
+      </Late>
+      <FileNote {...(job.layout === "manual"
+        ? { text: t.manualView, warns: true, cure: { name: t.showFile, go: () => setLayout("tnc640") } }
+        : { text: iso ? `${t.files.iso}. ${t.isoKept(iso.kept.map((n) => `N${n}`).join(", "))} ${t.isoUnverified}` : t.files[kind] })} />
+      <div className="program-foot">
+        <div className="program-buttons">
+          <CopyButton main />
+          <button type="button" className="button" aria-label={`${t.download(file)}: ${t.files[kind]}`} onClick={() =>
+            void download()}
+          >
+            <Icon name="download" /> <span className="file-name">{file}</span> <span className="small">{t.layouts[kind]}</span>
+          </button>
+        </div>
+        <ProgramMore showBlock={(_, __, number) => void chooseJobLine(read, { block: number, q: null })}>
+          <button type="button" className="button plain" title={open.fromJobLong} onClick={() => openText(printedText(job), job)}>
+            {open.fromJob}
+          </button>
+        </ProgramMore>
+      </div>
+      <CopyStatus />
+    </section>
+  );
+}

@@ -1,0 +1,157 @@
+import { useId, useMemo, useState } from "react";
+import type { SecondSideTexts } from "../../../i18n/en/second-side.ts";
+import { loadSecondSide } from "../../../i18n/load-second-side.ts";
+import { boxAround } from "../../../kernel/box.ts";
+import type { Ring } from "../../../kernel/point.ts";
+import { radius, toDiameter } from "../../../kernel/units.ts";
+import { parse } from "../../../nc/parse.ts";
+import { anyNumber, readText } from "../../../program/field.ts";
+import { secondSide } from "../../../program/second-side.ts";
+import { verdictOf } from "../../../report/verdict.ts";
+import { leftPieces } from "../../../sim/clamped.ts";
+import { inScreenWriting } from "../dialog/write-value.ts";
+import { useOutcome, type Outcome, type OutcomeState } from "../../calculation/outcome.ts";
+import { fileNameOf } from "../../base/file-name.ts";
+import { openProgram } from "../open/open-program.ts";
+import { HandingDialog } from "../../base/HandingDialog.tsx";
+import { Icon } from "../../base/Icon.tsx";
+import { useLengths } from "../../calculation/lengths.ts";
+import { programName } from "../../document/printed.ts";
+import { laterTexts } from "../../base/settings/later-texts.ts";
+import { useEditor } from "../../document/store.ts";
+import { broughtBy } from "../../document/work.ts";
+import { outputInUse } from "../../document/output.ts";
+import "./turn-round.css";
+
+const { useThemSoon: useSecondSideTexts } = laterTexts(loadSecondSide);
+
+/** What can be left on a face, mm: more is another part. */
+const MOST_ALLOWANCE = 100;
+
+/** Makes the program of the next clamping out of what the open one leaves; `text`: the open one. */
+export function TurnRound({ text, done }: { readonly text: string; readonly done: () => void }) {
+  const words = useSecondSideTexts();
+  return words && <Opened words={words} text={text} done={done} />;
+}
+
+type Lack = keyof SecondSideTexts["lack"];
+
+/** What the open program leaves, once it is calculated as it stands; otherwise why there is nothing to turn round. */
+function leftBy({ newest, planned, paused, stage }: OutcomeState, text: string): Outcome | Lack {
+  if (paused) return "older";
+  if (!newest || newest.text !== text || planned || stage !== null) return "beginning";
+  if (verdictOf(newest.run, newest.simulation).verdict === "faults") return "faults";
+  return newest.run.blank.length === 0 ? "noBlank" : newest;
+}
+
+interface Props {
+  readonly words: SecondSideTexts;
+  readonly text: string;
+  readonly done: () => void;
+}
+
+function Opened({ words: t, text, done }: Props) {
+  const left = useOutcome((s) => leftBy(s, text));
+  const pieces = useMemo(() => (typeof left === "string" ? null : leftPieces(left.simulation)), [left]);
+  const lack = typeof left === "string" ? left : pieces?.held ? null : "nothingLeft";
+  return (
+    <HandingDialog title={t.title} done={done}>
+      <p>{t.lead}</p>
+      {typeof left === "string" || !pieces?.held
+        ? (
+          <>
+            <p role="status">{lack && t.lack[lack]}</p>
+            <div className="handing-ways">
+              <button type="button" className="button primary" disabled>{t.open}</button>
+            </div>
+          </>
+        )
+        : <Choice words={t} outcome={left} held={pieces.held} off={pieces.off} />}
+    </HandingDialog>
+  );
+}
+
+interface ChoiceProps {
+  readonly words: SecondSideTexts;
+  readonly outcome: Outcome;
+  readonly held: readonly Ring[];
+  readonly off: readonly (readonly Ring[])[];
+}
+
+/** Opens the new program as a work of its own, with the tools and the way of writing of the one before. */
+function openTurned(text: string): void {
+  const { job, program } = useEditor.getState(), before = job ?? program;
+  openProgram({
+    name: fileNameOf(text),
+    text,
+    encoding: "utf-8",
+    ...broughtBy(before ?? {}),
+    ...(before?.output && { output: before.output }),
+    ...(before?.material !== undefined && { material: before.material }),
+  });
+}
+
+function Choice({ words: t, outcome: { run, simulation, text }, held, off }: ChoiceProps) {
+  const group = useId(), hint = useId(), lengths = useLengths(run), { language, unit, per } = lengths;
+  const pieces = useMemo(() => [held, ...off], [held, off]);
+  // What came off goes on; what is left in the chuck then is the rest of the bar.
+  const [chosen, choose] = useState(off.length > 0 ? 1 : 0), [typed, type] = useState("0");
+  const { value, issue } = readText({ ...anyNumber, optional: false, range: [0, MOST_ALLOWANCE / per] }, typed);
+  const made = useMemo(() => {
+    const output = outputInUse();
+    return secondSide(parse(text), pieces[chosen] ?? held, { allowance: (value ?? 0) * per, output });
+  }, [text, pieces, chosen, held, value, per]);
+  const size = (piece: readonly Ring[]) => {
+    const { left, right, high } = boxAround([...piece]);
+    return `⌀${lengths.number(toDiameter(radius(high)))} × ${lengths.number(right - left)} ${unit}`;
+  };
+  return (
+    <>
+      {pieces.length > 1 && (
+        <fieldset className="turn-round">
+          <legend>{t.piece}</legend>
+          {pieces.map((piece, i) => (
+            <label key={i}>
+              <input type="radio" name={group} checked={chosen === i} onChange={() => choose(i)} />
+              {i === 0 ? t.held(size(piece)) : t.off(size(piece))}
+            </label>
+          ))}
+        </fieldset>
+      )}
+      <label className="turn-round-allowance">
+        <span>{t.allowance(unit)}</span>
+        <input className="input number" type="text" data-number="words" inputMode="decimal" autoComplete="off"
+          value={inScreenWriting(language, typed)} aria-label={t.allowance(unit)} aria-invalid={issue !== null} aria-describedby={hint}
+          onChange={(event) => type(event.currentTarget.value)} />
+        {issue
+          ? (
+            <span id={hint} className="field-message warning">
+              <Icon name="warning" /> {t.allowanceWrong(`${lengths.number(MOST_ALLOWANCE)} ${unit}`)}
+            </span>
+          )
+          : <span id={hint} className="small soft">{t.allowanceHint}</span>}
+      </label>
+      <dl className="handing-facts">
+        <div>
+          <dt>{t.name}</dt>
+          <dd>{programName(made)}</dd>
+        </div>
+        <div>
+          <dt>{t.blank}</dt>
+          <dd>{size(pieces[chosen] ?? held)}</dd>
+        </div>
+      </dl>
+      {run.plane.length > 0 && <Warning text={t.milling} />}
+      {simulation.proof.unproved.length > 0 && <Warning text={t.unproved} />}
+      <div className="handing-ways">
+        <button type="button" className="button primary" disabled={value === null} onClick={() => openTurned(made)}>{t.open}</button>
+      </div>
+    </>
+  );
+}
+
+const Warning = ({ text }: { readonly text: string }) => (
+  <p className="field-message warning">
+    <Icon name="warning" /> {text}
+  </p>
+);

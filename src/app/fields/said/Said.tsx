@@ -1,0 +1,79 @@
+import { createContext, Fragment, useContext, useMemo, type ReactNode } from "react";
+import type { GlossaryTexts, TermId } from "../../../i18n/glossary-text.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { useSettings } from "../../base/settings/settings.ts";
+import { showGuide } from "../../place/guide-place.ts";
+import { termParts, type TermPart } from "./term-parts.ts";
+import { useGlossarySoon } from "./use-glossary.ts";
+import "./terms.css";
+
+interface Scope {
+  readonly of: ReadonlyMap<string, readonly TermPart[]>;
+  readonly glossary: GlossaryTexts;
+}
+
+const PageTerms = createContext<Scope | null>(null);
+
+const scopeOf = (
+  texts: readonly string[],
+  glossary: GlossaryTexts,
+  language: Language,
+  before: readonly string[],
+  but: TermId | null,
+): Scope => {
+  const parts = termParts(texts, glossary, language, { before, but });
+  return { glossary, of: new Map(texts.map((text, i) => [text, parts[i] ?? []])) };
+};
+
+/** The texts of a page in the order in which they are read: each word of the glossary leads to it where it is used first. */
+export function SaidOnPage({ texts, before, but = null, children }: {
+  readonly texts: readonly string[];
+  /** Texts of the pages before, whose words are known. */
+  readonly before?: readonly string[];
+  /** The word that they explain themselves. */
+  readonly but?: TermId | null;
+  readonly children: ReactNode;
+}) {
+  const glossary = useGlossarySoon();
+  const language = useSettings((s) => s.language);
+  const all = JSON.stringify([texts, before ?? []]);
+  const scope = useMemo(() => {
+    const [now, earlier] = JSON.parse(all) as readonly [string[], string[]];
+    return glossary && scopeOf(now, glossary, language, earlier, but);
+  }, [glossary, language, all, but]);
+  return <PageTerms value={scope}>{children}</PageTerms>;
+}
+
+/** The way from a word to what it means. */
+function TermLink({ term, text, meaning }: { readonly term: TermId; readonly text: string; readonly meaning: string }) {
+  return (
+    <a className="term" href={`#/glossary/${term}`} title={meaning} onClick={(event) => {
+      event.preventDefault();
+      showGuide("glossary", term);
+    }}>
+      {text}
+    </a>
+  );
+}
+
+/** A text of the page round it, with its ways to the glossary; `plain` puts what is no such word. */
+export function Said({ text, plain }: { readonly text: string; readonly plain?: (text: string) => ReactNode }) {
+  const scope = useContext(PageTerms), parts = scope?.of.get(text);
+  if (!scope || !parts) return plain ? plain(text) : text;
+  return parts.map(({ text: piece, term }, i) =>
+    term === null
+      ? <Fragment key={i}>{plain ? plain(piece) : piece}</Fragment>
+      : <TermLink key={i} term={term} text={piece} meaning={scope.glossary[term].text} />
+  );
+}
+
+/** Sentences of the page round them, one below the other. */
+export const SaidList = ({ texts, className }: { readonly texts: readonly string[]; readonly className?: string }) => (
+  <ul className={className}>
+    {texts.map((text) => (
+      <li key={text}>
+        <Said text={text} />
+      </li>
+    ))}
+  </ul>
+);

@@ -1,0 +1,53 @@
+import { expect, test } from "vitest";
+import { glossary as de } from "../../../i18n/de/glossary.ts";
+import { glossary as en } from "../../../i18n/en/glossary.ts";
+import { glossary as fr } from "../../../i18n/fr/glossary.ts";
+import { glossary as zh } from "../../../i18n/zh/glossary.ts";
+import { TERMS } from "../../../i18n/glossary-text.ts";
+import { termParts } from "./term-parts.ts";
+import { usingParameters } from "../../guide/term-uses.ts";
+
+const marked = (...of: Parameters<typeof termParts>) =>
+  termParts(...of).map((parts) => parts.map(({ text, term }) => (term === null ? text : `[${text}|${term}]`)).join(""));
+
+test("a word leads to the glossary where it is used first, the longest name counts", () => {
+  expect(marked(["The nose radius stays.", "Each pass, three passes; the nose radius again."], en, "en")).toEqual([
+    "The [nose radius|noseRadius] stays.",
+    "Each [pass|pass], three passes; the nose radius again.",
+  ]);
+  expect(marked(["Cutting speeds and set-up clearance"], en, "en", { before: ["the cutting speed"] })).toEqual([
+    "Cutting speeds and [set-up clearance|setupClearance]",
+  ]);
+  expect(marked(["Oversize, and what an oversize is"], en, "en", { but: "oversize" })).toEqual(["Oversize, and what an oversize is"]);
+});
+
+test("words are found as they stand in sentences of each language, and nothing is lost", () => {
+  expect(marked(["Zwei Aufmaße; aufmaßlos; der Schneidenradius"], de, "de")).toEqual([
+    "Zwei [Aufmaße|oversize]; aufmaßlos; der [Schneidenradius|noseRadius]",
+  ]);
+  expect(marked(["Drei Sätze, zwei Absätze; lange Späne in den Zyklen; die Platte am Satzende, ein Spann"], de, "de")).toEqual([
+    "Drei [Sätze|block], zwei [Absätze|shoulder]; lange [Späne|chip] in den [Zyklen|cycle]; die [Platte|insert] am Satzende, ein Spann",
+  ]);
+  expect(marked(["L’outil passe dessous ; la gorge est plongée. La deuxième passe, et une plongée"], fr, "fr")).toEqual([
+    "L’outil passe dessous ; la [gorge|recess] est plongée. La deuxième [passe|pass], et une [plongée|plunging]",
+  ]);
+  expect(marked(["Il n’est pas sûr du pas des pièces brutes"], fr, "fr")).toEqual([
+    "Il n’est pas sûr du [pas|pitch] des [pièces brutes|blank]",
+  ]);
+  expect(marked(["刀尖半径与余量"], zh, "zh")).toEqual(["[刀尖半径|noseRadius]与[余量|oversize]"]);
+  for (const [glossary, language] of [[en, "en"], [de, "de"], [fr, "fr"], [zh, "zh"]] as const) {
+    const texts = TERMS.map((id) => glossary[id].text);
+    expect(termParts(texts, glossary, language).map((parts) => parts.map(({ text }) => text).join(""))).toEqual(texts);
+    for (const id of TERMS) {
+      const [parts = []] = termParts([glossary[id].name], glossary, language);
+      expect(parts.map(({ term }) => term), `${language} ${id}`).toContain(id === "pitch" && language === "fr" ? null : id);
+    }
+  }
+});
+
+test("a parameter that leads to a word is among its uses once", () => {
+  const uses = usingParameters("infeed");
+  expect(uses.map(({ q }) => q)).toContain("Q463");
+  expect(new Set(uses.map(({ text }) => text)).size).toBe(uses.length);
+  expect(uses.every(({ q }) => q.startsWith("Q"))).toBe(true);
+});

@@ -1,0 +1,23 @@
+import { proposedClamping } from "../../../program/clamping/draft.ts";
+import { boundsOf } from "../../../view/bounds.ts";
+import { setClamping } from "../../document/edits.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import type { JobReading } from "../../document/reading.ts";
+import { ClampingFields } from "./ClampingFields.tsx";
+import { useClampingTexts } from "./clamping-texts.ts";
+
+/** A blank that nothing is known of, mm. */
+const SOME_BLANK = { left: -80, right: 0, high: 30 };
+
+/** What a job is held by. */
+export function JobClamping({ read: { job } }: { readonly read: JobReading }) {
+  const t = useClampingTexts();
+  const blank = useOutcome((s) => s.shown?.run.blank);
+  return t && (
+    <fieldset className="setup-group">
+      <legend>{t.title}</legend>
+      <ClampingFields draft={job.clamping ?? null} set={setClamping} propose={() =>
+        proposedClamping(boundsOf(blank?.flat() ?? []) ?? SOME_BLANK)} />
+    </fieldset>
+  );
+}

@@ -1,0 +1,121 @@
+import { Suspense } from "react";
+import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
+import type { CycleNumber } from "../../../cycles/index.ts";
+import type { SetupPlace } from "../../../program/setup.ts";
+import { SETUP_FIELDS as FIELDS } from "../../../program/setup-fields.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import { useFits } from "../../calculation/fits.ts";
+import { setBlank, setPerRevolution, setRapid, setSpindle, setStart } from "../../document/edits.ts";
+import { MoreLater } from "../said/MoreLater.tsx";
+import { lazyPart } from "../../base/parts.ts";
+import type { JobReading } from "../../document/reading.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { NumberField } from "./NumberField.tsx";
+import { ParameterFields } from "./ParameterFields.tsx";
+import { ToolSummary } from "./ToolSummary.tsx";
+import { ToolTable } from "./ToolTable.tsx";
+
+/** Fetched where a machine states its rapid rates. */
+const MachineRapid = lazyPart(async () => ({ default: (await import("../machine/MachineRapid.tsx")).MachineRapid }));
+const SetupStart = lazyPart(async () => ({ default: (await import("../../guide/SetupStart.tsx")).SetupStart }));
+
+const JobClamping = lazyPart(async () => ({ default: (await import("./JobClamping.tsx")).JobClamping }));
+
+/** What a part of the set-up is called, with the way to its pages of the guide. */
+function Legend({ name, page }: { readonly name: string; readonly page: string }) {
+  return (
+    <>
+      <legend>{name}</legend>
+      <Suspense>
+        <MoreLater page={["guide", "setup", page]} name={name} />
+      </Suspense>
+    </>
+  );
+}
+
+/** Everything round the cycle: tool, blank, start point, spindle, feed unit, rapid rate. */
+export function SetupPanel({ read }: { readonly read: JobReading }) {
+  const { setup: t, cycles } = useTexts();
+  const fits = useFits();
+  const { spindle, perRevolution, rapid } = read.job;
+  const isOfMachine = useOutcome((s) => typeof s.pictured?.run.timing.rates === "object");
+  const { blank, start } = read.job;
+  /** A place as it was typed, with what is proposed for it where nobody has. */
+  const placeOf = (place: SetupPlace, value: string) =>
+    read.setup?.proposed.has(place) ? { text: "", proposal: value } : { text: value, proposal: undefined };
+  return (
+    <div className="setup">
+      <ParameterFields read={read} />
+      <ToolSummary read={read} fits={fits} />
+      <fieldset className="setup-group">
+        <Legend name={t.start.title} page="start.x" />
+        <p className="small soft">{t.start.hint}</p>
+        <NumberField field={FIELDS.startX} name={t.start.x} unit={t.units.diameter} {...placeOf("start.x", start.x)}
+          onText={(x) => setStart("x", x)} />
+        <NumberField field={FIELDS.startZ} name={t.start.z} unit={t.units.mm} {...placeOf("start.z", start.z)}
+          onText={(z) => setStart("z", z)} />
+      </fieldset>
+      <fieldset className="setup-group">
+        <Legend name={t.blank.title} page="blank.outside" />
+        <NumberField field={FIELDS.outside} name={t.blank.outside} unit={t.units.diameter} {...placeOf("blank.outside", blank.outside)}
+          onText={(v) => setBlank("outside", v)} />
+        <NumberField field={FIELDS.bore} name={t.blank.bore} unit={t.units.diameter} {...placeOf("blank.bore", blank.bore)}
+          onText={(v) => setBlank("bore", v)} />
+        <NumberField field={FIELDS.length} name={t.blank.length} unit={t.units.mm} {...placeOf("blank.length", blank.length)}
+          onText={(v) => setBlank("length", v)} />
+        <NumberField field={FIELDS.allowance} name={t.blank.allowance} unit={t.units.mm} {...placeOf("blank.allowance", blank.allowance)}
+          onText={(v) => setBlank("allowance", v)} />
+      </fieldset>
+      <Suspense>
+        <JobClamping read={read} />
+      </Suspense>
+      <fieldset className="setup-group">
+        <Legend name={t.spindle.title} page="spindle.cuttingSpeed" />
+        <RadioGroup className="choice-pair" aria-label={t.spindle.mode} value={spindle.mode}
+          onChange={(mode) => setSpindle("mode", mode === "constant" ? mode : "surface")}
+        >
+          {(["surface", "constant"] as const).map((mode) => (
+            <Radio key={mode} value={mode} className="choice radio">
+              <span>{t.spindle[mode]}</span>
+            </Radio>
+          ))}
+        </RadioGroup>
+        {spindle.mode === "constant"
+          ? (
+            <NumberField field={FIELDS.speed} name={t.spindle.speed} unit={t.units.rpm} text={spindle.speed}
+              onText={(v) => setSpindle("speed", v)} />
+          )
+          : (
+            <>
+              <NumberField field={FIELDS.cuttingSpeed} name={t.spindle.cuttingSpeed} unit={t.units.cuttingSpeed} text={spindle.cuttingSpeed}
+                onText={(v) => setSpindle("cuttingSpeed", v)} />
+              <NumberField field={FIELDS.limit} name={t.spindle.limit} unit={t.units.rpm} text={spindle.limit}
+                onText={(v) => setSpindle("limit", v)} />
+            </>
+          )}
+        <Suspense>
+          <SetupStart cycle={read.cycle} surface={spindle.mode !== "constant"} perRevolution={perRevolution} />
+        </Suspense>
+      </fieldset>
+      <fieldset className="setup-group">
+        <Legend name={t.feed.title} page="perRevolution" />
+        <label className="choice">
+          <input type="checkbox" checked={perRevolution} onChange={(e) => setPerRevolution(e.currentTarget.checked)} />
+          <span>{t.feed.perRevolution}</span>
+        </label>
+        {isOfMachine
+          ? (
+            <Suspense>
+              <MachineRapid />
+            </Suspense>
+          )
+          : <NumberField field={FIELDS.rapid} name={t.feed.rapid} unit={t.units.perMinute} text={rapid} onText={setRapid} />}
+      </fieldset>
+      <section className="setup-group" aria-label={t.notes}>
+        <h2>{t.notes}</h2>
+        <ul className="small cycle-notes">{cycles.of[read.cycle.number as CycleNumber].notes.map((note) => <li key={note}>{note}</li>)}</ul>
+      </section>
+      <ToolTable read={read} fits={fits} />
+    </div>
+  );
+}

@@ -1,0 +1,48 @@
+import { useEffect, useRef } from "react";
+import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
+import type { ToolFit } from "../../../program/which-tool.ts";
+import { setTool } from "../../document/edits.ts";
+import { InsertDrawing } from "../../pictures/lathe/InsertDrawing.tsx";
+import { usePlace } from "../../place/place.ts";
+import type { JobReading } from "../../document/reading.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { useToolList } from "../../document/work-tools.ts";
+import { ToolWords, useToolDetails, useToolVerdict } from "./tool-words.tsx";
+
+/** Edge length of an insert drawing, px. */
+const DRAWING = 40;
+
+/** The tools of the table, each drawn to scale, with what it can do on this contour. */
+export function ToolTable({ read, fits }: { readonly read: JobReading; readonly fits: readonly ToolFit[] | null }) {
+  const t = useTexts().setup.tool;
+  const tools = useToolList();
+  const details = useToolDetails();
+  const verdict = useToolVerdict();
+  const asked = usePlace((p) => (p.field === "tool" ? p.focus : 0));
+  const group = useRef<HTMLDivElement>(null);
+
+  useEffect(() => {
+    if (asked > 0) group.current?.querySelector<HTMLElement>("input:checked")?.focus();
+  }, [asked]);
+
+  return (
+    <fieldset className="setup-group">
+      <legend>{t.list}</legend>
+      <RadioGroup ref={group} className="tool-rows" aria-label={t.list} value={String(read.job.tool)}
+        onChange={(number) => setTool(Number(number))}
+      >
+        {tools.map((tool) => {
+          const fit = fits?.find((f) => f.tool.T === tool.T);
+          return (
+            <Radio key={tool.T} value={String(tool.T)} className="tool-row radio"
+              aria-label={`${t.name(tool.T, tool.NAME)}, ${details(tool)}${fit ? `, ${verdict(fit)}` : ""}`}
+            >
+              <InsertDrawing tool={tool} width={DRAWING} height={DRAWING} />
+              <ToolWords tool={tool} fit={fit} />
+            </Radio>
+          );
+        })}
+      </RadioGroup>
+    </fieldset>
+  );
+}

@@ -1,4 +1,0 @@
-import { lazyPart } from "../base/parts.ts";
-
-/** The way to a page of the guide, fetched when it is first shown. */
-export const MoreLater = lazyPart(async () => ({ default: (await import("./PromptMore.tsx")).PromptMore }));
