@@ -121,11 +121,11 @@ interface Modules {
 
 const module = (path: string) => new URL(path, import.meta.url).pathname;
 /** Where the dialog of a cycle begins: everything that these cannot start without is fetched before it works. */
-const WORK = ["src/app/Workplace.tsx", "src/app/start/begin.ts"].map(module);
+const WORK = ["src/app/Workplace.tsx", "src/features/start/begin.ts"].map(module);
 /** What the first screen fetches by itself: what it shares with a dialog is a file of its own, and brings none along. */
 const EARLY = [
-  "src/app/course/CourseEntrance.tsx",
-  "src/app/start/Welcome.tsx",
+  "src/features/course/CourseEntrance.tsx",
+  "src/features/start/Welcome.tsx",
   "src/app/records/keep-pictures.ts",
   "src/app/records/keep-steps.ts",
   "src/app/records/files/kept-handles.ts",

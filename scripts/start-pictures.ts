@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import type { LiveRun, StartPictures, Waypoint } from "../src/app/start/pictures.ts";
+import type { LiveRun, StartPictures, Waypoint } from "../src/features/start/pictures.ts";
 import type { ExampleId } from "../src/examples/index.ts";
 import { insertOutline } from "../src/kernel/insert.ts";
 import { part, type Pt, type Ring } from "../src/kernel/point.ts";
@@ -131,7 +131,7 @@ export function startPictures(): StartPictures {
   return { live: live(LIVE), examples: Object.fromEntries(examples) };
 }
 
-/** The module that the page imports by the name in src/app/start/start-pictures.d.ts, by its id. */
+/** The module that the page imports by the name in src/features/start/start-pictures.d.ts, by its id. */
 export const pictureModules = (): Readonly<Record<string, string>> => ({
   "virtual:start-pictures": `export const pictures = ${JSON.stringify(startPictures())};`,
 });

@@ -169,7 +169,7 @@ describe("what the start page waits for", () => {
 
   test("its files are followed at all", () => {
     expect(reached.has("react")).toBe(true);
-    expect(reached.has("src/app/start/StartPage.tsx")).toBe(true);
+    expect(reached.has("src/features/start/StartPage.tsx")).toBe(true);
   });
 });
 

@@ -1,7 +1,7 @@
 import * as fc from "fast-check";
 import { readdirSync } from "node:fs";
 import { describe, expect, test } from "vitest";
-import { printWords } from "../src/app/course/drawing/print-words.ts";
+import { printWords } from "../src/features/course/drawing/print-words.ts";
 import { drawnTask, type DrawnTask } from "../src/course/printed-part.ts";
 import { taskSchema } from "../src/course/task.ts";
 import { courseDrawing as english } from "../src/i18n/en/course-drawing.ts";

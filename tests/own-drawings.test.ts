@@ -1,8 +1,8 @@
 import { madeOf } from "../src/sim/made.ts";
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
-import { printWords } from "../src/app/course/drawing/print-words.ts";
-import { sheetTitleOf } from "../src/app/course/drawing/title-words.ts";
+import { printWords } from "../src/features/course/drawing/print-words.ts";
+import { sheetTitleOf } from "../src/features/course/drawing/title-words.ts";
 import { answerOf } from "../src/course/judge/answer.ts";
 import { drawnProgram } from "../src/course/printed-program.ts";
 import type { DrawnTask } from "../src/course/printed-part.ts";

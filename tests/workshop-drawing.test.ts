@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { printWords } from "../src/app/course/drawing/print-words.ts";
+import { printWords } from "../src/features/course/drawing/print-words.ts";
 import { drawnTask } from "../src/course/printed-part.ts";
 import type { Task } from "../src/course/task.ts";
 import { courseDrawing as english } from "../src/i18n/en/course-drawing.ts";

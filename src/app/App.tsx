@@ -4,15 +4,15 @@ import { useGuidePlace } from "./place/guide-place.ts";
 import { Header } from "./Header.tsx";
 import { useCoursePlace } from "./place/course-place.ts";
 import { useChoice } from "./document/choice.ts";
-import { DropProgram } from "./files/DropProgram.tsx";
+import { DropProgram } from "../features/files/DropProgram.tsx";
 import { NumberKeys } from "./fields/keypad/NumberKeys.tsx";
-import { HandedLine, IncomingTaught, IncomingWork } from "./handing/HandedParts.tsx";
+import { HandedLine, IncomingTaught, IncomingWork } from "../features/handing/HandedParts.tsx";
 import { MissingPart } from "./base/MissingPart.tsx";
 import { Notices } from "./Notices.tsx";
 import { useVersion } from "./base/version.ts";
 import { useOwnPlace } from "./document/own-place.ts";
 import { lazyPart } from "./base/parts.ts";
-import { TaskLine } from "./course/task/TaskLine.tsx";
+import { TaskLine } from "../features/course/task/TaskLine.tsx";
 import { useCopying } from "./findings/copy.ts";
 import { fetchAtRest } from "./base/rest.ts";
 import { useElsewhere } from "./place/elsewhere.ts";
@@ -20,7 +20,7 @@ import { useKeeping } from "./records/keep.ts";
 import { fetchShownTexts } from "./base/settings/shown-texts.ts";
 import { useFirstTexts } from "./base/settings/use-first-texts.ts";
 import { useSheetShown } from "./document/sheet-place.ts";
-import { StartPage } from "./start/StartPage.tsx";
+import { StartPage } from "../features/start/StartPage.tsx";
 import { useEditor } from "./document/store.ts";
 import { useToolPlace } from "./document/tool-place.ts";
 import { hideComparison, useComparing } from "./place/compare-place.ts";
@@ -33,28 +33,28 @@ const later = <M,>(fetch: () => Promise<M>) => async (): Promise<M> => (await Pr
 const fetchWorkplace = later(() => import("./Workplace.tsx"));
 const Workplace = lazyPart(async () => ({ default: (await fetchWorkplace()).Workplace }));
 const CopyByHand = lazyPart(async () => ({ default: (await import("./fields/program/CopyByHand.tsx")).CopyByHand }));
-const fetchTools = later(() => import("./tools/ToolPage.tsx"));
+const fetchTools = later(() => import("../features/tools/ToolPage.tsx"));
 const ToolPage = lazyPart(async () => ({ default: (await fetchTools()).ToolPage }));
-const fetchOwn = later(() => import("./own/OwnPage.tsx"));
+const fetchOwn = later(() => import("../features/own/OwnPage.tsx"));
 const OwnPage = lazyPart(async () => ({ default: (await fetchOwn()).OwnPage }));
-const WorksPage = lazyPart(async () => ({ default: (await import("./works/WorksPage.tsx")).WorksPage }));
-const BringInDialog = lazyPart(async () => ({ default: (await import("./works/BringInDialog.tsx")).BringInDialog }));
-const fetchCourse = later(() => import("./course/CoursePage.tsx"));
+const WorksPage = lazyPart(async () => ({ default: (await import("../features/works/WorksPage.tsx")).WorksPage }));
+const BringInDialog = lazyPart(async () => ({ default: (await import("../features/works/BringInDialog.tsx")).BringInDialog }));
+const fetchCourse = later(() => import("../features/course/CoursePage.tsx"));
 const CoursePage = lazyPart(async () => ({ default: (await fetchCourse()).CoursePage }));
-const ElsewherePage = lazyPart(async () => ({ default: (await import("./works/ElsewherePage.tsx")).ElsewherePage }));
+const ElsewherePage = lazyPart(async () => ({ default: (await import("../features/works/ElsewherePage.tsx")).ElsewherePage }));
 /** Fetched with their texts when somebody asks. */
-const ChooseProgram = lazyPart(async () => ({ default: (await import("./files/ChooseProgram.tsx")).ChooseProgram }));
-const CompareDialog = lazyPart(async () => ({ default: (await import("./compare/CompareDialog.tsx")).CompareDialog }));
-const WhichCycle = lazyPart(async () => ({ default: (await import("./which/WhichCycle.tsx")).WhichCycle }));
-const fetchSheet = later(() => import("./sheet/SheetPage.tsx"));
+const ChooseProgram = lazyPart(async () => ({ default: (await import("../features/files/ChooseProgram.tsx")).ChooseProgram }));
+const CompareDialog = lazyPart(async () => ({ default: (await import("../features/compare/CompareDialog.tsx")).CompareDialog }));
+const WhichCycle = lazyPart(async () => ({ default: (await import("../features/which/WhichCycle.tsx")).WhichCycle }));
+const fetchSheet = later(() => import("../features/sheet/SheetPage.tsx"));
 const SheetPage = lazyPart(async () => ({ default: (await fetchSheet()).SheetPage }));
-const fetchGuide = later(() => import("./guide/GuidePage.tsx"));
+const fetchGuide = later(() => import("../features/guide/GuidePage.tsx"));
 const GuidePage = lazyPart(async () => ({ default: (await fetchGuide()).GuidePage }));
 const fetchEditor = later(() => import("./editor/ProgramWorkplace.tsx"));
 const ProgramWorkplace = lazyPart(async () => ({ default: (await fetchEditor()).ProgramWorkplace }));
 
 /** Fetched when there is something to say. */
-const UpdateBar = lazyPart(async () => ({ default: (await import("./offline/UpdateBar.tsx")).UpdateBar }));
+const UpdateBar = lazyPart(async () => ({ default: (await import("../features/offline/UpdateBar.tsx")).UpdateBar }));
 
 /** What stands where no work is open: the start page, all works, the course, or why the work that was asked for is not open here. */
 function Entrance() {

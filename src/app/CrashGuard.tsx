@@ -11,7 +11,7 @@ interface State {
 }
 
 /** It may not come, after a fault of the page least of all: then the page does without. */
-const CrashHelp = lazyPart(async () => ({ default: (await import("./crash/CrashHelp.tsx")).CrashHelp }));
+const CrashHelp = lazyPart(async () => ({ default: (await import("../features/works/crash/CrashHelp.tsx")).CrashHelp }));
 
 /** Shows nothing where its content fails. */
 class Unless extends Component<{ readonly children: ReactNode }, State> {

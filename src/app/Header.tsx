@@ -7,7 +7,7 @@ import { useElsewhere } from "./place/elsewhere.ts";
 import { useFirstTexts } from "./base/settings/use-first-texts.ts";
 import { useOwnPlace } from "./document/own-place.ts";
 import { useSheetShown } from "./document/sheet-place.ts";
-import { CreateProgram } from "./start/CreateProgram.tsx";
+import { CreateProgram } from "../features/start/CreateProgram.tsx";
 import { redoStep, undoStep } from "./document/history.ts";
 import { lazyPart } from "./base/parts.ts";
 import { useSteps } from "./document/steps.ts";

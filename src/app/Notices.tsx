@@ -15,7 +15,7 @@ function DownloadUnkept() {
         <Icon name="download" /> {t.downloadUnkept}
       </button>
       <button type="button" className="button"
-        onClick={() => void import("./works/export-works.ts").then(({ saveWorks }) => saveWorks(unkeptNames()))}
+        onClick={() => void import("../features/works/export-works.ts").then(({ saveWorks }) => saveWorks(unkeptNames()))}
       >
         <Icon name="download" /> {t.archiveUnkept}
       </button>

@@ -2,7 +2,7 @@ import { Suspense, useEffect, useMemo, useState, type ReactNode } from "react";
 import { knownWork } from "../program/known-work.ts";
 import { sameRings } from "../sim/same-step.ts";
 import { clock } from "./base/clock.ts";
-import { ContourViews } from "./contour/ContourViews.tsx";
+import { ContourViews } from "../features/contour/ContourViews.tsx";
 import { chooseElement, useContourPlace } from "./place/contour-place.ts";
 import { BackToPrompts } from "./fields/dialog/BackToPrompts.tsx";
 import { CycleDialog } from "./fields/dialog/CycleDialog.tsx";
@@ -41,8 +41,8 @@ const fetchSetup = () => import("./fields/setup/SetupPanel.tsx");
 const SetupPanel = lazyPart(async () => ({ default: (await fetchSetup()).SetupPanel }));
 const fetchFindings = () => import("./findings/FindingsPanel.tsx");
 const FindingsPanel = lazyPart(async () => ({ default: (await fetchFindings()).FindingsPanel }));
-const ContourTable = lazyPart(async () => ({ default: (await import("./contour/ContourTable.tsx")).ContourTable }));
-const ContourStage = lazyPart(async () => ({ default: (await import("./contour/ContourStage.tsx")).ContourStage }));
+const ContourTable = lazyPart(async () => ({ default: (await import("../features/contour/ContourTable.tsx")).ContourTable }));
+const ContourStage = lazyPart(async () => ({ default: (await import("../features/contour/ContourStage.tsx")).ContourStage }));
 
 const VIEWS = <ContourViews />;
 

@@ -11,7 +11,7 @@ import { startEngineLater } from "./calculation/later.ts";
 import { openShared } from "./files/open-shared.ts";
 import { onHistoryKey } from "./document/history.ts";
 import { startOwn } from "./records/keep-own.ts";
-import { startOfflineLater } from "./offline/start-offline.ts";
+import { startOfflineLater } from "../features/offline/start-offline.ts";
 import { followMissing, untilHere } from "./base/parts.ts";
 import { startKeeping, useKeeping } from "./records/keep.ts";
 import { resume } from "./saving/resume.ts";

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { markText } from "../../src/app/course/task/mark-words.ts";
+import { markText } from "../../src/features/course/task/mark-words.ts";
 import { answerOf } from "../../src/course/judge/answer.ts";
 import { judge } from "../../src/course/judge/judge.ts";
 import { programOfLines } from "../../src/course/start-of.ts";

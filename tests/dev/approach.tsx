@@ -1,6 +1,6 @@
 import { useState } from "react";
 import { createRoot } from "react-dom/client";
-import { ApproachDialog } from "../../src/app/approach/ApproachDialog.tsx";
+import { ApproachDialog } from "../../src/features/editor/approach/ApproachDialog.tsx";
 import { entryAt } from "../../src/app/findings/entry.ts";
 import { PlaneView } from "../../src/app/pictures/plane/PlaneView.tsx";
 import { clock } from "../../src/app/base/clock.ts";

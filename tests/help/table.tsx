@@ -3,7 +3,7 @@ import { fetchTexts } from "../../src/app/base/settings/loaded-texts.ts";
 import type { Language } from "../../src/i18n/languages.ts";
 import { createRoot } from "react-dom/client";
 import "../../src/app/base/styles/base.css";
-import { ContourTable } from "../../src/app/contour/ContourTable.tsx";
+import { ContourTable } from "../../src/features/contour/ContourTable.tsx";
 import { cycleByNumber } from "../../src/cycles/index.ts";
 import { exampleJob, newRow, type ContourRow } from "../../src/program/job.ts";
 

@@ -7,7 +7,7 @@ import { draftOf, setBlank, setPrompt, setTool } from "./edits.ts";
 import { redoStep, undoStep } from "./history.ts";
 import { asOneStep, closeStep, redo, undo, useSteps } from "./steps.ts";
 import { begin, edit, open, useEditor } from "./store.ts";
-import { setCell } from "../tools/tool-edits.ts";
+import { setCell } from "../../features/tools/tool-edits.ts";
 import { hideTools, useToolPlace } from "./tool-place.ts";
 import { takeTools, useTools } from "./tool-store.ts";
 

@@ -22,23 +22,23 @@ import { useTexts } from "../base/settings/use-texts.ts";
 import { beforeLeaving, useEditor } from "../document/store.ts";
 import { useToolList } from "../document/work-tools.ts";
 import { thirdColumn, useThirdColumn } from "../base/use-media.ts";
-import { BlockPanel } from "./BlockPanel.tsx";
-import { followProgram } from "./follow.ts";
+import { BlockPanel } from "../../features/editor/BlockPanel.tsx";
+import { followProgram } from "../../features/editor/follow.ts";
 import { openChosen } from "../fields/blocks/choose-block.ts";
 import { useBlockCounting } from "../fields/blocks/block-counting.ts";
 import { setBlockPrompt, useOpenBlock } from "../fields/blocks/open-block.ts";
-import { openMaker } from "./open-maker.ts";
+import { openMaker } from "../../features/editor/open-maker.ts";
 import { closeSession, handOverText, openSession } from "../fields/blocks/session.ts";
 import { showFile } from "../document/shown-file.ts";
 import { lazyPart } from "../base/parts.ts";
-import { StructurePanel } from "./StructurePanel.tsx";
-import { TextPanel } from "./TextPanel.tsx";
-import { TotalsStrip } from "./TotalsStrip.tsx";
+import { StructurePanel } from "../../features/editor/StructurePanel.tsx";
+import { TextPanel } from "../../features/editor/TextPanel.tsx";
+import { TotalsStrip } from "../../features/editor/TotalsStrip.tsx";
 import { useProgramHost } from "./use-program-host.ts";
-import "../own/own-block.css";
-import "./editor.css";
+import "../../features/own/own-block.css";
+import "../../features/editor/editor.css";
 
-const InsertOperation = lazyPart(async () => ({ default: (await import("../operations/InsertOperation.tsx")).InsertOperation }));
+const InsertOperation = lazyPart(async () => ({ default: (await import("../../features/editor/operations/InsertOperation.tsx")).InsertOperation }));
 
 /** Keeps the editor of the open program for as long as it is open. */
 function useProgramSession(): void {

@@ -12,7 +12,7 @@ export async function openShared(): Promise<void> {
   const { hash } = location;
   if (!isShareLink(hash)) return;
   history.replaceState(null, "", location.pathname + location.search);
-  if (/^#[tr]/.test(hash)) return (await untilHere(() => import("../course/teach/open-taught.ts"))).openTaughtLink(hash);
+  if (/^#[tr]/.test(hash)) return (await untilHere(() => import("../../features/course/teach/open-taught.ts"))).openTaughtLink(hash);
   const [{ readLink }, { showIncoming }] = await untilHere(() =>
     Promise.all([import("../records/link.ts"), import("../records/incoming.ts")])
   );

@@ -8,7 +8,7 @@ import { closeSession, dispatchEdit, handOverText, openBlock, openSession, sessi
 import { closeStep, forget, redo, undo, useSteps } from "../document/steps.ts";
 import { editOwn, takeOwn, useOwn } from "../document/own-store.ts";
 import { beforeLeaving, begin, changeProgram, open, useEditor } from "../document/store.ts";
-import { setCell } from "../tools/tool-edits.ts";
+import { setCell } from "../../features/tools/tool-edits.ts";
 import { takeTools, useTools } from "../document/tool-store.ts";
 import type { Work } from "../document/work.ts";
 import { startKeepingSteps, takeKeptSteps } from "./keep-steps.ts";

@@ -1,13 +1,13 @@
 import { Suspense, useLayoutEffect, useRef } from "react";
 import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
-import { OfflineState } from "../offline/OfflineState.tsx";
+import { OfflineState } from "../../features/offline/OfflineState.tsx";
 import { showOwn } from "../document/own-place.ts";
 import { lazyPart } from "../base/parts.ts";
 import { changeLanguage, changeSettings, useSettings } from "../base/settings/settings.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 
 const MachineSection = lazyPart(async () => ({ default: (await import("../fields/machine/MachineSection.tsx")).MachineSection }));
-const ThisDevice = lazyPart(async () => ({ default: (await import("../works/ThisDevice.tsx")).ThisDevice }));
+const ThisDevice = lazyPart(async () => ({ default: (await import("../../features/works/ThisDevice.tsx")).ThisDevice }));
 
 /** Language, appearance, motion and machine: choices of this device. */
 export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {

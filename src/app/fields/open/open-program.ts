@@ -115,7 +115,7 @@ export async function openFiles(chosen: readonly Chosen[]): Promise<Opening> {
 
 /** Opens tasks and results, told by the name that they are saved under, or by what stands in them; false for other files. */
 async function openTaught(files: readonly File[]): Promise<boolean> {
-  const { areTaught, openTaughtFiles } = await untilHere(() => import("../../course/teach/open-taught.ts"));
+  const { areTaught, openTaughtFiles } = await untilHere(() => import("../../../features/course/teach/open-taught.ts"));
   if (!files.some(({ name }) => /\.turnwise-(?:task|result)\b.*\.json$/i.test(name)) && !(await areTaught(files))) return false;
   await openTaughtFiles(files);
   return true;

@@ -12,13 +12,13 @@ import { showSheet } from "../../document/sheet-place.ts";
 import { isProgram, type Work } from "../../document/work.ts";
 
 /** Fetched when it is first opened. */
-const HandOnDialog = lazyPart(async () => ({ default: (await import("../../handing/HandOnDialog.tsx")).HandOnDialog }));
-const PartExport = lazyPart(async () => ({ default: (await import("../../export/PartExport.tsx")).PartExport }));
+const HandOnDialog = lazyPart(async () => ({ default: (await import("../../../features/handing/HandOnDialog.tsx")).HandOnDialog }));
+const PartExport = lazyPart(async () => ({ default: (await import("../../../features/export/PartExport.tsx")).PartExport }));
 const TurnRound = lazyPart(async () => ({ default: (await import("./TurnRound.tsx")).TurnRound }));
-const ProgramDrawing = lazyPart(async () => ({ default: (await import("../../course/drawing/ProgramDrawing.tsx")).ProgramDrawing }));
+const ProgramDrawing = lazyPart(async () => ({ default: (await import("../../../features/course/drawing/ProgramDrawing.tsx")).ProgramDrawing }));
 const ClampingDialog = lazyPart(async () => ({ default: (await import("./ClampingDialog.tsx")).ClampingDialog }));
 const OutputDialog = lazyPart(async () => ({ default: (await import("./OutputDialog.tsx")).OutputDialog }));
-const TeachDialog = lazyPart(async () => ({ default: (await import("../../course/teach/TeachDialog.tsx")).TeachDialog }));
+const TeachDialog = lazyPart(async () => ({ default: (await import("../../../features/course/teach/TeachDialog.tsx")).TeachDialog }));
 
 /** A work on its way out, with the verdict that goes with it. */
 interface Leaving {

@@ -14,8 +14,8 @@ import { printedText } from "../../document/printed.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
 import { useEditor } from "../../document/store.ts";
 import { useOpenCall } from "../../place/guide-place.ts";
-import { guideSources } from "../../guide/guide-source.ts";
-import { PromptMore } from "../../guide/PromptMore.tsx";
+import { guideSources } from "../../../features/guide/guide-source.ts";
+import { PromptMore } from "../../../features/guide/PromptMore.tsx";
 
 const cycle = cycleByNumber(812) ?? never("no such cycle");
 const text = printedText(exampleJob(cycle));

@@ -5,7 +5,7 @@ import { glossary as fr } from "../../../i18n/fr/glossary.ts";
 import { glossary as zh } from "../../../i18n/zh/glossary.ts";
 import { TERMS } from "../../../i18n/glossary-text.ts";
 import { termParts } from "./term-parts.ts";
-import { usingParameters } from "../../guide/term-uses.ts";
+import { usingParameters } from "../../../features/guide/term-uses.ts";
 
 const marked = (...of: Parameters<typeof termParts>) =>
   termParts(...of).map((parts) => parts.map(({ text, term }) => (term === null ? text : `[${text}|${term}]`)).join(""));

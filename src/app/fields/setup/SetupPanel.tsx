@@ -17,7 +17,7 @@ import { ToolTable } from "./ToolTable.tsx";
 
 /** Fetched where a machine states its rapid rates. */
 const MachineRapid = lazyPart(async () => ({ default: (await import("../machine/MachineRapid.tsx")).MachineRapid }));
-const SetupStart = lazyPart(async () => ({ default: (await import("../../guide/SetupStart.tsx")).SetupStart }));
+const SetupStart = lazyPart(async () => ({ default: (await import("../../../features/guide/SetupStart.tsx")).SetupStart }));
 
 const JobClamping = lazyPart(async () => ({ default: (await import("./JobClamping.tsx")).JobClamping }));
 

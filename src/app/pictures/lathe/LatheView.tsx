@@ -63,7 +63,7 @@ const TurnPoints = lazyPart(async () => ({ default: (await import("../plane/Turn
 /** Fetched when the turned body is looked at in space. */
 const GhostPaths = lazyPart(async () => ({ default: (await import("./Ghost.tsx")).GhostPaths }));
 const SolidView = lazyPart(async () => ({ default: (await import("../solid/SolidView.tsx")).SolidView }));
-const WhichCycle = lazyPart(async () => ({ default: (await import("../../which/WhichCycle.tsx")).WhichCycle }));
+const WhichCycle = lazyPart(async () => ({ default: (await import("../../../features/which/WhichCycle.tsx")).WhichCycle }));
 
 const NOWHERE: readonly LookAt[] = [];
 const NO_RINGS: readonly Ring[] = [];

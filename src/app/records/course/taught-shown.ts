@@ -3,7 +3,7 @@ import type { HandedResult } from "../../../course/made/result.ts";
 import type { Task } from "../../../course/task.ts";
 import { gather, startGathered, useGathered } from "./gathered.ts";
 import { isAmong, type LearnerFile } from "./result-rows.ts";
-import type { TaughtProblem } from "../../course/teach/taught-files.ts";
+import type { TaughtProblem } from "../../../features/course/teach/taught-files.ts";
 
 /** A file that brought no results, by its name, and why: it is here already, holds a task, or cannot be read. */
 export interface FileLeftOut {

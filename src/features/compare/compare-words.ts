@@ -1,0 +1,174 @@
+import { cycleByNumber, type ParamTextId } from "../../cycles/index.ts";
+import type { CompareTexts } from "../../i18n/en/compare.ts";
+import type { Texts } from "../../i18n/index.ts";
+import type { Lengths } from "../../i18n/lengths.ts";
+import { formatFixed } from "../../i18n/number.ts";
+import type { Program } from "../../nc/program.ts";
+import type { ComparedOperation } from "../../program/compare/by-operation.ts";
+import type { BlockDifference } from "../../program/compare/compare.ts";
+import { bareText, type WordChange } from "../../program/compare/meaning.ts";
+import { changedEffects, type Consequence, type Effects } from "../../report/compare/consequences.ts";
+import { verdictTitle } from "../../app/findings/verdict-words.ts";
+import { issueText } from "../../app/calculation/issue-text.ts";
+import { isTold, isWriting, tallyOf, type ComparedFile, type Consequences } from "./compared.ts";
+
+/** Everything that words are made with. */
+export interface Wording {
+  readonly texts: Texts;
+  readonly words: CompareTexts;
+  /** As the open program counts, also where the other one counts otherwise. */
+  readonly lengths: Lengths;
+}
+
+const SIGN = { more: "+", less: "−" } as const;
+
+/** Seconds as minutes and seconds; small changes keep their tenths. */
+export function timeText({ texts: { page: { effect } }, lengths: { language } }: Wording, seconds: number): string {
+  const minutes = Math.floor(Math.round(seconds) / 60);
+  const rest = minutes > 0 ? formatFixed(language, Math.max(0, seconds - minutes * 60), 0) : formatFixed(language, seconds, 1);
+  return effect.duration(minutes, rest);
+}
+
+/** By how much a time changed: +8 s; null where that does not show. */
+export function longerBy(wording: Wording, { before, after }: Consequence): string | null {
+  if (!before || !after || !changedEffects({ before, after }).includes("seconds")) return null;
+  const by = after.seconds - before.seconds;
+  return `${by > 0 ? SIGN.more : SIGN.less}${timeText(wording, Math.abs(by))}`;
+}
+
+function effectText(wording: Wording, name: keyof Effects, { [name]: value }: Effects): string {
+  if (name === "seconds") return timeText(wording, value);
+  if (name === "passes") return String(value);
+  const { lengths } = wording;
+  return name === "residue" ? lengths.words(`${lengths.area(value, 2)} mm²`) : `${lengths.number(value)} ${lengths.unit}`;
+}
+
+/** What comes of an operation that differs: "Infeed 2.56 → 2.05", "Time 1 min 20 s → 1 min 28 s (+8 s)". */
+export function effectTexts(
+  wording: Wording,
+  consequence: Consequence,
+): readonly { readonly name: keyof Effects; readonly text: string }[] {
+  const { words } = wording;
+  const { before, after } = consequence;
+  const longer = longerBy(wording, consequence);
+  return changedEffects(consequence).map((name) => {
+    const [was, is] = [before ? effectText(wording, name, before) : words.notRun, after ? effectText(wording, name, after) : words.notRun];
+    const by = name === "seconds" && longer !== null ? ` (${longer})` : "";
+    return { name, text: `${words.effects[name]} ${was} → ${is}${by}` };
+  });
+}
+
+function wordLabel({ texts, words }: Pick<Wording, "texts" | "words">, name: string, cycle: number | null): string {
+  if (name === "/") return words.skip;
+  if (name === "T") return words.tool;
+  const param = cycle === null ? undefined : cycleByNumber(cycle)?.params[name];
+  return param ? `${name} ${texts.params[param.text as ParamTextId].label}` : name;
+}
+
+/** The same of the whole program, where the infeed of one operation says nothing. */
+export const wholeTexts = (wording: Wording, { whole }: Consequences): ReturnType<typeof effectTexts> =>
+  effectTexts(wording, whole).filter(({ name }) => name !== "infeed");
+
+/** One word and what became of it: "Q463 Max. cutting depth 3 → 2.4". */
+export function wordText({ texts, words }: Wording, { name, from, to }: WordChange, cycle: number | null): string {
+  const label = wordLabel({ texts, words }, name, cycle);
+  return `${label} ${from ?? words.without} → ${to ?? words.without}`.trim();
+}
+
+/** The cycle that a block defines; null for any other. */
+export function cycleIn({ blocks }: Program, index: number | null): number | null {
+  const s = index === null ? undefined : blocks[index]?.statement;
+  return s?.kind === "cycle" ? s.cycle : null;
+}
+
+export const wordTexts = (wording: Wording, file: ComparedFile, { a, b, words }: BlockDifference): readonly string[] =>
+  words.map((change) => wordText(wording, change, cycleIn(file.after, b) ?? cycleIn(file.before, a)));
+
+/** Which block it is: "Block 12", or where it was and is when it moved. */
+export function blockLabel({ words }: Wording, { numbers }: ComparedFile, { kind, a, b }: BlockDifference): string {
+  const [from, to] = [a === null ? null : String(numbers.before[a] ?? ""), b === null ? null : String(numbers.after[b] ?? "")];
+  return kind === "moved" && from !== null && to !== null ? words.blockMoved(from, to) : words.block(to ?? from ?? "");
+}
+
+/** Lines of a block that are shown of one side: of a cycle its first and those of the values that differ. */
+export function shownLines({ blocks }: Program, index: number | null, { kind, words }: BlockDifference): readonly string[] {
+  const block = index === null ? undefined : blocks[index];
+  if (!block) return [];
+  const text = kind === "note" || kind === "form" ? block.raw : bareText(block);
+  const lines = text.split(/\r\n?|\n/).map((line) => line.trim().replace(/\s*~$/, "")).filter((line) => line !== "");
+  if (block.statement.kind !== "cycle" || words.length === 0) return lines;
+  const names = words.map(({ name }) => new RegExp(String.raw`^${name}(?!\d)`, "i"));
+  return lines.filter((line, i) => i === 0 || names.some((name) => name.test(line)));
+}
+
+/** Name of an operation: its own words, or its cycles. */
+export function operationTitle({ texts, words }: Wording, { a, b }: ComparedOperation): string {
+  const unit = b ?? a;
+  if (!unit) return words.frame;
+  const cycles = unit.cycles.map((n) => {
+    const known = (texts.cycles.of as Readonly<Record<number, { readonly name: string }>>)[n];
+    return known ? `${n} ${known.name}` : String(n);
+  });
+  const title = unit.title === null ? cycles.join(", ") : cycles.length > 0 ? `${unit.title} (${unit.cycles.join(", ")})` : unit.title;
+  return [words.operation(unit.place + 1), title].filter((part) => part !== "").join(" · ");
+}
+
+/** The whole in one line: "3 values, 1 operation more; time +8 s". */
+export function summaryText(wording: Wording, files: readonly ComparedFile[], consequences: Consequences | null): string {
+  const { words } = wording;
+  const { written, ...meant } = tallyOf(files);
+  const counted = (Object.keys(meant) as (keyof typeof meant)[]).flatMap((key) => (meant[key] > 0 ? [words[key](meant[key])] : []));
+  const said = counted.length > 0 ? counted.join(", ") : written > 0 ? `${words.sameMeaning} ${words.written(written)}` : words.same;
+  const longer = consequences && longerBy(wording, consequences.whole);
+  return longer === null ? said : `${said}; ${words.time(longer)}`;
+}
+
+/** Findings that came and went, as sentences. */
+export const findingTexts = ({ texts, lengths }: Wording, list: Consequences["came"]): readonly string[] =>
+  list.map(({ issue, cycle }) => issueText(texts, lengths, issue, cycle));
+
+/** The verdicts of both programs, where they differ. */
+export function verdictChange({ texts, lengths }: Wording, { before, after }: Consequences): string | null {
+  const [was, is] = [before, after].map((verdict) => verdictTitle(texts.findings.verdict, lengths, verdict));
+  return was === is ? null : `${was} → ${is}`;
+}
+
+/** The comparison as plain text, for a message or a file. */
+export function comparisonText(
+  wording: Wording,
+  [before, after]: readonly [string, string],
+  files: readonly ComparedFile[],
+  consequences: Consequences | null,
+  withWriting: boolean,
+): string {
+  const { words } = wording;
+  const lines = [`${words.title}: ${before} → ${after}`, summaryText(wording, files, consequences)];
+  if (consequences) {
+    const changed = verdictChange(wording, consequences);
+    if (changed !== null) lines.push(`${words.verdict}: ${changed}`);
+    lines.push(...wholeTexts(wording, consequences).map(({ text }) => `  ${text}`));
+    lines.push(...findingTexts(wording, consequences.went).map((text) => `- ${text}`));
+    lines.push(...findingTexts(wording, consequences.came).map((text) => `+ ${text}`));
+  }
+  files.forEach((file, f) => {
+    if (!file.isMain) lines.push("", file.name);
+    file.operations.forEach((operation, o) => {
+      const consequence = consequences?.operations[f]?.[o];
+      if (!isTold(operation, consequence, withWriting)) return;
+      const fate = words.fates[operation.fate];
+      lines.push("", `${operationTitle(wording, operation)}${fate === "" ? "" : ` (${fate})`}`);
+      if (consequence) lines.push(...effectTexts(wording, consequence).map(({ text }) => `  ${text}`));
+      for (const each of operation.differences) {
+        if (isWriting(each) && !withWriting) continue;
+        lines.push(
+          `  ${blockLabel(wording, file, each)}, ${words.kinds[each.kind]}${
+            each.words.length === 0 ? "" : `: ${wordTexts(wording, file, each).join(", ")}`
+          }`,
+        );
+        lines.push(...shownLines(file.before, each.a, each).map((line) => `    - ${line}`));
+        lines.push(...shownLines(file.after, each.b, each).map((line) => `    + ${line}`));
+      }
+    });
+  });
+  return `${lines.join("\n")}\n`;
+}

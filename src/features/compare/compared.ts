@@ -1,0 +1,143 @@
+import type { AnyIssue } from "../../i18n/message-texts.ts";
+import { blockNumbers, type Program } from "../../nc/program.ts";
+import { parse } from "../../nc/parse.ts";
+import { byOperation, type ComparedOperation } from "../../program/compare/by-operation.ts";
+import { comparePrograms, type BlockDifference } from "../../program/compare/compare.ts";
+import { fileKey } from "../../program/program-files.ts";
+import { changedEffects, consequenceOf, effectsByUnit, effectsOf, type Consequence } from "../../report/compare/consequences.ts";
+import type { Outcome } from "../../app/calculation/outcome.ts";
+import type { FindingEntry } from "../../app/findings/entry.ts";
+import { findingsOf } from "../../app/findings/findings.ts";
+import { judged, type ShownVerdict } from "../../app/findings/verdict.ts";
+import { filesOf, type ProgramWork } from "../../app/document/work.ts";
+
+/** One text of both works, with what differs in it. */
+export interface ComparedFile {
+  /** Its name in the work that has it; that of the present one first. */
+  readonly name: string;
+  readonly isMain: boolean;
+  readonly before: Program;
+  readonly after: Program;
+  /** Numbers of their blocks. */
+  readonly numbers: { readonly before: readonly number[]; readonly after: readonly number[] };
+  /** For each block of the first the one that it became, -1 for none. */
+  readonly partners: Int32Array;
+  readonly operations: readonly ComparedOperation[];
+}
+
+function comparedFile(name: string, isMain: boolean, one: string, other: string): ComparedFile {
+  const [before, after] = [parse(one), parse(other)];
+  const comparison = comparePrograms(before, after);
+  const operations = byOperation(before, after, comparison);
+  const numbers = { before: blockNumbers(before), after: blockNumbers(after) };
+  return { name, isMain, before, after, numbers, partners: comparison.partners, operations };
+}
+
+/** Two works, text by text: the programs that run, then those beside them, by their names. Texts that are the same are left out. */
+export function comparedFiles(before: ProgramWork, after: ProgramWork): readonly ComparedFile[] {
+  const beside = new Map([...filesOf(after), ...filesOf(before)].map(({ name }) => [fileKey(name), name] as const).reverse());
+  const textIn = (work: ProgramWork, key: string) => filesOf(work).find(({ name }) => fileKey(name) === key)?.text ?? "";
+  const pairs = [...beside].reverse().map(([key, name]) => [name, textIn(before, key), textIn(after, key)] as const);
+  return [
+    comparedFile(after.name, true, before.text, after.text),
+    ...pairs.filter(([, one, other]) => one !== other).map(([name, one, other]) => comparedFile(name, false, one, other)),
+  ];
+}
+
+/** What is in words of one of the programs. */
+interface Judgement {
+  readonly verdict: ShownVerdict;
+  readonly entries: readonly FindingEntry[];
+}
+
+/** A finding that only one of the programs has, with the cycle it is about. */
+export interface OwnFinding {
+  readonly issue: AnyIssue;
+  readonly cycle: number | null;
+}
+
+/** What comes of the differences. */
+export interface Consequences {
+  readonly whole: Consequence;
+  /** For each file, for each of its operations. */
+  readonly operations: readonly (readonly Consequence[])[];
+  readonly before: ShownVerdict;
+  readonly after: ShownVerdict;
+  readonly came: readonly OwnFinding[];
+  readonly went: readonly OwnFinding[];
+}
+
+const judgementOf = (outcome: Outcome): Judgement => {
+  const entries = findingsOf(null, outcome);
+  return { verdict: judged(entries, outcome), entries };
+};
+
+/** What one list has and the other lacks: of findings of one kind at one field as many as there are more. */
+function only(own: readonly FindingEntry[], others: readonly FindingEntry[], { run }: Outcome): readonly OwnFinding[] {
+  const nameOf = ({ issue, at }: FindingEntry) => `${issue.severity} ${issue.code} ${at ?? ""}`;
+  const count = new Map<string, number>();
+  for (const entry of others) count.set(nameOf(entry), (count.get(nameOf(entry)) ?? 0) + 1);
+  return own.filter((entry) => {
+    const left = count.get(nameOf(entry)) ?? 0;
+    count.set(nameOf(entry), left - 1);
+    return left <= 0;
+  }).map(({ issue, operation }) => ({ issue, cycle: operation === null ? null : (run.operations[operation]?.cycle ?? null) }));
+}
+
+/** The consequences of what differs, from what was calculated of both. */
+export function consequencesOf(files: readonly ComparedFile[], before: Outcome, after: Outcome): Consequences {
+  const [one, other] = [judgementOf(before), judgementOf(after)];
+  return {
+    whole: { before: effectsOf(before), after: effectsOf(after) },
+    operations: files.map(({ name, isMain, before: was, after: is, operations }) => {
+      const file = isMain ? null : name;
+      const [effectsBefore, effectsAfter] = [effectsByUnit(before, was, file), effectsByUnit(after, is, file)];
+      return operations.map((operation) => consequenceOf(operation, effectsBefore, effectsAfter));
+    }),
+    before: one.verdict,
+    after: other.verdict,
+    came: only(other.entries, one.entries, after),
+    went: only(one.entries, other.entries, before),
+  };
+}
+
+/** True for what is only written otherwise. */
+export const isWriting = ({ kind }: BlockDifference): boolean => kind === "note" || kind === "form";
+
+/** How many differences of each sort there are. */
+export interface Tally {
+  readonly values: number;
+  readonly added: number;
+  readonly removed: number;
+  readonly moved: number;
+  readonly operationsAdded: number;
+  readonly operationsRemoved: number;
+  readonly operationsMoved: number;
+  readonly written: number;
+}
+
+/** Counts what differs; blocks of operations that came, went or moved as a whole count as those. */
+export function tallyOf(files: readonly ComparedFile[]): Tally {
+  const operations = files.flatMap((file) => file.operations);
+  const fates = (fate: ComparedOperation["fate"]) => operations.filter((each) => each.fate === fate).length;
+  const blocks = (kind: BlockDifference["kind"], ...besides: readonly ComparedOperation["fate"][]) =>
+    operations.reduce(
+      (sum, { fate, differences }) => besides.includes(fate) ? sum : sum + differences.filter((each) => each.kind === kind).length,
+      0,
+    );
+  return {
+    values: operations.reduce((sum, { differences }) => sum + differences.reduce((n, { words }) => n + words.length, 0), 0),
+    added: blocks("added", "added"),
+    removed: blocks("removed", "removed"),
+    moved: blocks("moved", "moved"),
+    operationsAdded: fates("added"),
+    operationsRemoved: fates("removed"),
+    operationsMoved: fates("moved"),
+    written: blocks("note") + blocks("form"),
+  };
+}
+
+/** True for an operation of which there is something to say. */
+export const isTold = ({ differences, fate }: ComparedOperation, consequence: Consequence | undefined, withWriting: boolean): boolean =>
+  fate !== "kept" || differences.some((each) => withWriting || !isWriting(each))
+  || (consequence !== undefined && changedEffects(consequence).length > 0);

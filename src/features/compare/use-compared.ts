@@ -1,0 +1,54 @@
+import { useEffect, useState } from "react";
+import { outcomeBeside } from "../../app/calculation/beside.ts";
+import { isMadeFrom, useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
+import { useEditor } from "../../app/document/store.ts";
+import type { ProgramWork } from "../../app/document/work.ts";
+import { comparedFiles, consequencesOf, type ComparedFile, type Consequences } from "./compared.ts";
+
+/** Two programs with their names, the earlier or other one first. */
+export interface Sides {
+  readonly before: ProgramWork;
+  readonly after: ProgramWork;
+}
+
+/** What a comparison has come to. */
+export interface ComparedPrograms {
+  readonly files: readonly ComparedFile[];
+  /** Null while both are calculated, or where one can not be. */
+  readonly consequences: Consequences | null;
+  readonly state: "calculating" | "done" | "failed";
+}
+
+/** The result of the open work where it is of this very program, so that it is not calculated twice. */
+function outcomeAtHand(program: ProgramWork): Outcome | null {
+  const { newest } = useOutcome.getState();
+  if (!newest) return null;
+  const { program: open } = useEditor.getState();
+  return (open === program ? isMadeFrom(newest, program) : newest.text === program.text && !newest.files) ? newest : null;
+}
+
+/** Sets two programs against each other: first their blocks, then what comes of them. Null before that. */
+export function useProgramComparison(sides: Sides | null): ComparedPrograms | null {
+  const [compared, set] = useState<{ readonly of: Sides; readonly made: ComparedPrograms } | null>(null);
+  useEffect(() => {
+    if (!sides) return undefined;
+    let gone = false;
+    const compare = async () => {
+      const files = comparedFiles(sides.before, sides.after);
+      set({ of: sides, made: { files, consequences: null, state: "calculating" } });
+      const before = await outcomeBeside(sides.before);
+      if (gone) return;
+      const after = outcomeAtHand(sides.after) ?? await outcomeBeside(sides.after);
+      if (gone) return;
+      const consequences = before && after && consequencesOf(files, before, after);
+      set({ of: sides, made: { files, consequences, state: consequences ? "done" : "failed" } });
+    };
+    // That it is compared is said before a long program holds the page for a moment.
+    const timer = setTimeout(() => void compare());
+    return () => {
+      gone = true;
+      clearTimeout(timer);
+    };
+  }, [sides]);
+  return sides && compared?.of === sides ? compared.made : null;
+}

@@ -1,0 +1,161 @@
+import { memo, useCallback, useEffect, useEffectEvent, useLayoutEffect, useRef, useState } from "react";
+import { texts } from "../../app/base/settings/loaded-texts.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { readRows, type RowIssue } from "../../program/contour-rows.ts";
+import type { ContourRow } from "../../program/job.ts";
+import { ContourDrawing } from "./ContourDrawing.tsx";
+import { ContourLine } from "./ContourLine.tsx";
+import { RowTools } from "./RowTools.tsx";
+import { chooseElement, useChosenRow, useContourPlace } from "../../app/place/contour-place.ts";
+import { cornerOf, cornerRowOf, type CornerKind } from "./drawing-edits.ts";
+import { DxfImport } from "./DxfImport.tsx";
+import { FaultList } from "./FaultList.tsx";
+import { changed, withRowTwice, withRow, withRowMoved, withoutRow, type Edited } from "./row-edits.ts";
+import { useRowFocus, useTableKeys, type RowActions } from "./use-table-keys.ts";
+import "./contour.css";
+
+interface Props {
+  readonly rows: readonly ContourRow[];
+  /** `place` names the field that is typed into, so that typing is one step of undo; null for a change of its own. */
+  readonly onChange: (rows: readonly ContourRow[], place: string | null) => void;
+  readonly language: Language;
+  /** The drawing stands elsewhere, on the large canvas. */
+  readonly apart?: boolean;
+}
+
+/** From so many elements on, drawing and table are told of a digit behind its picture. */
+const LONG = 100;
+const FINE: readonly RowIssue[] = [];
+
+/** The contour subprogram as a table, with its drawing unless that stands elsewhere. */
+export const ContourTable = memo(Table);
+
+function Table({ rows, onChange, language, apart = false }: Props) {
+  const t = texts(language).contour;
+  const table = useRef<HTMLTableElement>(null);
+  const active = useChosenRow(rows), activeId = active === null ? null : (rows[active]?.id ?? null);
+  const asked = useContourPlace((p) => p.keyboard);
+  const [said, setSaid] = useState({ text: "", times: 0 });
+  /** Says what was done, also when the same is done again. */
+  const say = (text: string) => setSaid((old) => ({ text, times: old.times + 1 }));
+  const reading = readRows(rows);
+  const focusRow = useRowFocus(table);
+  /** The newest rows: those of a digit that is being drawn are not rendered yet. */
+  const now = useRef({ rows, onChange });
+  useLayoutEffect(() => {
+    now.current = { rows, onChange };
+  }, [rows, onChange]);
+  const changeRow = useCallback((id: string, change: Partial<ContourRow>, place: string | null) => {
+    const next = changed(now.current.rows, id, change);
+    now.current = { ...now.current, rows: next };
+    now.current.onChange(next, place);
+  }, []);
+  const issues = new Map<number, RowIssue[]>();
+  for (const found of reading.issues) issues.set(found.row, [...issues.get(found.row) ?? [], found]);
+  const uses = rows.some((r) => r.angle !== "" || r.length !== "" || r.tangent);
+  const [wanted, setWanted] = useState(uses);
+  const details = wanted || uses;
+
+  const edit = (edited: Edited, done: string, field?: string) => {
+    if (edited.rows === rows) return;
+    focusRow(edited.focus, field);
+    if (edited.focus !== null) chooseElement(edited.focus);
+    say(done);
+    onChange(edited.rows, null);
+  };
+  /** An edit in the drawing leaves the keyboard where it is: a field that takes it would scroll the drawing away. */
+  const drawn = (edited: Edited) => {
+    chooseElement(edited.focus);
+    say(t.done.added);
+    onChange(edited.rows, null);
+  };
+  const actions: RowActions = {
+    add: () => edit(withRow(rows, rows.length), t.done.added),
+    insert: () => edit(withRow(rows, active ?? rows.length), t.done.added),
+    duplicate: () => active !== null && edit(withRowTwice(rows, active), t.done.duplicated),
+    remove: () => active !== null && edit(withoutRow(rows, active), t.done.removed),
+    move: (by) => active !== null && edit(withRowMoved(rows, active, by), t.done.moved, fieldInUse(table.current)),
+  };
+  const cornerRow = cornerRowOf(rows, active);
+  const corner = (kind: CornerKind) => {
+    const edited = cornerOf(now.current.rows, active, kind);
+    if (edited) edit(edited, t.done.added, "r");
+  };
+  const onKeyDown = useTableKeys(table, { ...actions, corner });
+  const pick = (row: number) => {
+    const id = rows[row]?.id;
+    if (id === undefined) return;
+    focusRow(id);
+    chooseElement(id);
+    say("");
+  };
+  const called = useEffectEvent(() => {
+    focusRow(activeId);
+    setSaid((old) => ({ ...old, text: "" }));
+  });
+  const answered = useRef(asked);
+  useEffect(() => {
+    if (asked === answered.current) return;
+    answered.current = asked;
+    called();
+  }, [asked]);
+  useEffect(() => {
+    table.current?.querySelector("tr.active")?.scrollIntoView?.({ block: "nearest" });
+  }, [activeId, rows.length]);
+
+  return (
+    <section className="contour-editor" aria-label={t.title}>
+      <div className="contour-layout">
+        {!apart && (
+          <div className="contour-side">
+            <ContourDrawing rows={rows} reading={reading} active={active} language={language} onPick={(row) =>
+              chooseElement(rows[row]?.id ?? null)} onRows={onChange} onEdited={drawn} />
+            <FaultList issues={reading.issues} language={language} onPick={pick} />
+          </div>
+        )}
+        <div className="contour-fields">
+          <RowTools number={active === null ? null : active + 1} count={rows.length} actions={actions} language={language} details={details}
+            corner={cornerRow === null ? null : cornerRow + 1} onCorner={corner} onDetails={() => setWanted(!details)}
+          >
+            <DxfImport count={rows.length} language={language}
+              onTake={(taken) => edit({ rows: taken, focus: taken[0]?.id ?? null }, t.done.added)} />
+          </RowTools>
+          {details && <p className="small soft">{t.detailsAbout}</p>}
+          {rows.length === 0
+            ? <p className="soft">{t.empty}</p>
+            : (
+              <table role="table" ref={table} aria-label={t.table} className="contour-table" onKeyDown={onKeyDown}>
+                <thead role="rowgroup">
+                  <tr role="row">
+                    <th role="columnheader" scope="col">{t.head.number}</th>
+                    <th role="columnheader" scope="col">{t.head.element}</th>
+                    <th role="columnheader" scope="col">{t.head.x}</th>
+                    <th role="columnheader" scope="col">{t.head.z}</th>
+                    <th role="columnheader" scope="col" className="wide">{t.head.size}</th>
+                    <th role="columnheader" scope="col" className="wide">{t.head.turn}</th>
+                  </tr>
+                </thead>
+                <tbody role="rowgroup">
+                  {rows.map((row, i) => (
+                    <ContourLine key={row.id} row={row} number={i + 1} reading={reading.rows[i]} issues={issues.get(i) ?? FINE}
+                      active={row.id === activeId} details={details} language={language} isLong={rows.length > LONG} onChange={changeRow} />
+                  ))}
+                </tbody>
+              </table>
+            )}
+          <p className="small soft contour-keys">{t.keys}</p>
+          <p className="small soft">{t.intro}</p>
+          <p role="status" className="unseen">
+            <span key={said.times}>{said.text}</span>
+          </p>
+        </div>
+      </div>
+    </section>
+  );
+}
+
+/** The field that has the keyboard, so that it keeps it when its row moves. */
+function fieldInUse(table: HTMLElement | null): string | undefined {
+  const at = document.activeElement;
+  return at instanceof HTMLElement && table?.contains(at) ? at.dataset["field"] : undefined;
+}

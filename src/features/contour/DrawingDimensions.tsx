@@ -1,0 +1,165 @@
+import { useEffect, useLayoutEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
+import { texts } from "../../app/base/settings/loaded-texts.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { dimensionTyped } from "../../program/contour-dimensions.ts";
+import type { RowsReading } from "../../program/contour-rows.ts";
+import type { ContourRow } from "../../program/job.ts";
+import { toScreen, type Place, type Size } from "../../view/camera.ts";
+import { placedDimensions, type PlacedDimension } from "../../view/contour/dimension-places.ts";
+import { WORKPIECE_ZERO } from "../../view/datum.ts";
+import type { ContourPicture } from "../../view/help/contour-drawing.ts";
+import { useNumberEntry } from "../../app/fields/dialog/use-number-entry.ts";
+import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
+import { SCALE_BELOW, SCALE_LEFT } from "../../app/pictures/lathe/Axes.tsx";
+import { useFingers } from "../../app/base/use-media.ts";
+import { drawnDimensions, type DrawnDimension } from "./drawing-dimensions.ts";
+
+interface Props {
+  readonly rows: readonly ContourRow[];
+  readonly reading: RowsReading;
+  readonly picture: ContourPicture;
+  readonly size: Size;
+  readonly chosen: number | null;
+  readonly language: Language;
+  /** A dimension was opened: its element is chosen. */
+  readonly onPick: (row: number) => void;
+  /** The rows after a dimension was typed; a change of its own. */
+  readonly onTyped: (rows: readonly ContourRow[]) => void;
+}
+
+/** Least size of a dimension's text: with fingers as large as any target. */
+const TARGET = { mouse: { width: 40, height: 22 }, fingers: { width: 56, height: 48 } } as const;
+const SCALES = { left: SCALE_LEFT, below: SCALE_BELOW };
+/** How far from the contour the texts beside it stand, pixels. */
+const BESIDE = { right: 36, below: 24 } as const;
+/** The root font size that drawings are lettered for, pixels. */
+const ROOT_SIZE = 16;
+/** A field that is typed into is at least this wide, pixels. */
+const FIELD = 108;
+
+/** The dimensions on the drawing: thin lines and texts; a text that is pressed becomes a field in its place. */
+export function DrawingDimensions({ rows, reading, picture, size, chosen, language, onPick, onTyped }: Props) {
+  const t = texts(language).contour;
+  const fingers = useFingers();
+  const [open, setOpen] = useState<string | null>(null);
+  const back = useRef<string | null>(null), box = useRef<HTMLDivElement>(null);
+  const drawn = useMemo(() => drawnDimensions({ rows, reading, chosen, language, texts: t }), [rows, reading, chosen, language, t]);
+  const placed = useMemo(() =>
+    placedDimensions({
+      camera: picture.camera,
+      size,
+      scales: SCALES,
+      target: fingers ? TARGET.fingers : TARGET.mouse,
+      kept: picture.kept,
+      free: freeOf(picture),
+      avoid: picture.avoid,
+    }, drawn), [drawn, picture, size, fingers]);
+  const places = new Map(placed.map((p) => [p.key, p]));
+
+  useLayoutEffect(() => {
+    const key = back.current;
+    back.current = null;
+    if (key === null) return;
+    [...box.current?.querySelectorAll<HTMLElement>("[data-dimension]") ?? []].find((each) => each.dataset["dimension"] === key)?.focus();
+  });
+
+  const close = (key: string, keyboard: boolean) => {
+    if (keyboard) back.current = key;
+    setOpen(null);
+  };
+  return (
+    <>
+      <svg className="contour-dimensions" aria-hidden="true" viewBox={`0 0 ${size.width} ${size.height}`}>
+        {drawn.map(({ key, own }) => {
+          const at = places.get(key);
+          return at && (
+            <g key={key} className={own ? "own" : ""}>
+              <path className="line" d={at.lines} />
+              <path className="arrow" d={at.arrows} />
+            </g>
+          );
+        })}
+      </svg>
+      <div className="contour-dimension-texts" ref={box}>
+        {drawn.map((each) => {
+          const at = places.get(each.key);
+          if (!at) return null;
+          if (open === each.key)
+            return (
+              <DimensionField key={each.key} each={each} at={at} size={size} language={language} name={t.inDrawing(each.name)}
+                onClose={(text, keyboard) => {
+                  close(each.key, keyboard);
+                  if (text !== null) onTyped(dimensionTyped(rows, reading, each.dimension.row, each.dimension.field, text));
+                }} />
+            );
+          return (
+            <button key={each.key} type="button" data-dimension={each.key} aria-label={t.dimension(each.name, each.text)}
+              className={`contour-dimension number${each.own ? " own" : ""}${each.dimension.follows ? " follows" : ""}`}
+              tabIndex={each.own ? 0 : -1} style={styleOf(at)} onClick={() => {
+              onPick(each.dimension.row);
+              setOpen(each.key);
+            }}>
+              <span>{each.text}</span>
+            </button>
+          );
+        })}
+      </div>
+    </>
+  );
+}
+
+/** Where texts stand beside the contour: right of it and of Z0, below it and the axis, pixels. */
+function freeOf({ avoid, points, camera }: ContourPicture): Place {
+  const zero = toScreen(camera, WORKPIECE_ZERO), all = [...avoid, ...points.map((p) => p.place), zero];
+  return { x: Math.max(...all.map((p) => p.x)) + BESIDE.right, y: Math.max(...all.map((p) => p.y)) + BESIDE.below };
+}
+
+/** A length of the drawing as one of the page, which grows with its letters. */
+const grown = (units: number) => `${units / ROOT_SIZE}rem`;
+const styleOf = ({ box }: PlacedDimension) => ({
+  left: grown(box.x),
+  top: grown(box.y),
+  width: grown(box.width),
+  height: grown(box.height),
+});
+
+/** A dimension that is being typed: Enter takes it, so does leaving it; Escape lets it be. */
+function DimensionField({ each, at, size, language, name, onClose }: {
+  readonly each: DrawnDimension;
+  readonly at: PlacedDimension;
+  readonly size: Size;
+  readonly language: Language;
+  readonly name: string;
+  /** The typed text, or null when it is not taken; whether the keyboard shall stay at the dimension. */
+  readonly onClose: (text: string | null, keyboard: boolean) => void;
+}) {
+  const begun = each.dimension.text;
+  const [text, setText] = useState(begun);
+  const input = useRef<HTMLInputElement>(null), closed = useRef(false);
+  const { onKeyDown, onTyped } = useNumberEntry(input, text, setText);
+  useEffect(() => {
+    input.current?.focus({ preventScroll: true });
+    input.current?.select();
+  }, []);
+  const take = (taken: string | null, keyboard: boolean) => {
+    if (closed.current) return;
+    closed.current = true;
+    onClose(taken === begun ? null : taken, keyboard);
+  };
+  const onKey = (e: KeyboardEvent) => {
+    if (e.key !== "Enter" && e.key !== "Escape") return onKeyDown(e);
+    e.preventDefault();
+    e.stopPropagation();
+    take(e.key === "Enter" ? text : null, true);
+  };
+  const width = Math.max(FIELD, at.box.width), left = Math.max(2, Math.min(at.box.x + (at.box.width - width) / 2, size.width - width - 2));
+  return (
+    <input ref={input} className="input number contour-dimension-field" type="text" data-number="words" inputMode="decimal"
+      autoComplete="off" spellCheck={false} maxLength={200} aria-label={name} value={inScreenWriting(language, text)}
+      style={{ left: grown(left), top: grown(at.box.y + at.box.height / 2), width: grown(width) }} onKeyDown={onKey}
+      onBlur={() => take(text, false)} onChange={(e) => {
+      onTyped();
+      setText(e.currentTarget.value);
+    }} />
+  );
+}

@@ -1,0 +1,68 @@
+import { useId } from "react";
+import { Toolbar } from "react-aria-components/Toolbar";
+import { texts } from "../../app/base/settings/loaded-texts.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { formatNumber } from "../../i18n/number.ts";
+import { GRID_STEPS, type GridStep } from "./snap.ts";
+import type { DrawingMode } from "./use-drawing.ts";
+
+/** Icons of the drawing tools, 24 units square. */
+const modes = {
+  move: "M12 3v18M3 12h18M12 3l-3 3M12 3l3 3M12 21l-3-3M12 21l3-3M3 12l3-3M3 12l3 3M21 12l-3-3M21 12l-3 3",
+  draw: "M4 20l4-1L19 8l-3-3L5 16zM14 7l3 3",
+  round: "M5 20V13a8 8 0 0 1 8-8h7",
+  chamfer: "M5 20V12l7-7h8",
+} as const;
+const zooms = {
+  in: "M11 4a7 7 0 1 0 0 14 7 7 0 0 0 0-14zM16 16l5 5M8 11h6M11 8v6",
+  out: "M11 4a7 7 0 1 0 0 14 7 7 0 0 0 0-14zM16 16l5 5M8 11h6",
+  fit: "M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5",
+} as const;
+
+interface Props {
+  readonly mode: DrawingMode;
+  readonly step: GridStep;
+  readonly language: Language;
+  readonly onMode: (mode: DrawingMode) => void;
+  readonly onStep: (step: GridStep) => void;
+  readonly onZoom: (factor: number) => void;
+  readonly onFit: () => void;
+}
+
+const Shape = ({ d }: { readonly d: string }) => (
+  <svg className="icon" viewBox="0 0 24 24" aria-hidden="true" focusable="false">
+    <path d={d} />
+  </svg>
+);
+
+/** What a pointer does in the drawing, the grid it keeps to, and how large the drawing is. */
+export function DrawingTools({ mode, step, language, onMode, onStep, onZoom, onFit }: Props) {
+  const t = texts(language).contour;
+  const id = useId();
+  return (
+    <Toolbar aria-label={t.drawTools} className="contour-tools contour-draw-tools">
+      {(["move", "draw", "round", "chamfer"] as const).map((m) => (
+        <button key={m} type="button" className="button icon" aria-label={t.modes[m]} title={t.modes[m]} aria-pressed={mode === m}
+          onClick={() => onMode(m)}
+        >
+          <Shape d={modes[m]} /> <span className="contour-mode" aria-hidden="true">{t.modeShort[m]}</span>
+        </button>
+      ))}
+      <label htmlFor={id} className="small soft contour-grid-label">{t.grid}</label>
+      <select id={id} className="select number contour-grid" value={step}
+        onChange={(e) => onStep(GRID_STEPS.find((s) => s === Number(e.currentTarget.value)) ?? 1)}
+      >
+        {GRID_STEPS.map((s) => <option key={s} value={s}>{formatNumber(language, s)}</option>)}
+      </select>
+      <button type="button" className="button icon" aria-label={t.zoomIn} title={t.zoomIn} onClick={() => onZoom(1.5)}>
+        <Shape d={zooms.in} />
+      </button>
+      <button type="button" className="button icon" aria-label={t.zoomOut} title={t.zoomOut} onClick={() => onZoom(1 / 1.5)}>
+        <Shape d={zooms.out} />
+      </button>
+      <button type="button" className="button icon" aria-label={t.fit} title={t.fit} onClick={onFit}>
+        <Shape d={zooms.fit} />
+      </button>
+    </Toolbar>
+  );
+}

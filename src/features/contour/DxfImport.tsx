@@ -1,0 +1,149 @@
+import { useId, useMemo, useRef, useState } from "react";
+import { texts } from "../../app/base/settings/loaded-texts.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { readRows } from "../../program/contour-rows.ts";
+import { anyNumber, readText, type Field } from "../../program/field.ts";
+import type { ContourRow } from "../../program/job.ts";
+import { dxfDefaults, readDxf, type DxfChoice } from "../../program/read-dxf.ts";
+import { contourDrawing } from "../../view/help/contour-drawing.ts";
+import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { dxfText } from "./dxf-text.ts";
+import { openDxf, type OpenedDxf } from "./open-dxf.ts";
+
+interface Props {
+  /** How many elements the table holds now. */
+  readonly count: number;
+  readonly language: Language;
+  readonly onTake: (rows: readonly ContourRow[]) => void;
+}
+
+/** How far ends may lie apart and still meet, mm. */
+const TOLERANCE: Field = { ...anyNumber, range: [0, 10], optional: false };
+const SIZE = { width: 520, height: 260 };
+
+/** A button that opens a drawing, and the dialog in which it becomes a contour: choices, preview, what is wrong with it. */
+export function DxfImport({ count, language, onTake }: Props) {
+  const t = texts(language).contour.dxf;
+  const id = useId();
+  const file = useRef<HTMLInputElement>(null), dialog = useRef<HTMLDialogElement>(null);
+  const [opened, setOpened] = useState<OpenedDxf | null>(null);
+  const [choice, setChoice] = useState<DxfChoice>(dxfDefaults);
+  const [tolerance, setTolerance] = useState(String(dxfDefaults.tolerance));
+  const fine = readText(TOLERANCE, tolerance).issue === null;
+  const read = useMemo(() => (opened?.kind === "drawing" ? readDxf(opened.dxf, choice) : null), [opened, choice]);
+  const reading = useMemo(() => (read ? readRows(read.rows) : null), [read]);
+  const picture = useMemo(() =>
+    reading && contourDrawing({
+      contour: reading.contour.segments,
+      rowOfSegment: reading.rowOfSegment,
+      ends: reading.rows.map((r) => r.end),
+      faulty: new Set(),
+      active: null,
+      size: SIZE,
+    }), [reading]);
+  const change = (more: Partial<DxfChoice>) => setChoice((old) => ({ ...old, ...more }));
+  const open = async (chosen: File | undefined) => {
+    if (!chosen) return;
+    setOpened(await openDxf(chosen));
+    setChoice((old) => ({ ...old, chain: 0 }));
+    if (!dialog.current?.open) dialog.current?.showModal();
+  };
+  const close = () => dialog.current?.close();
+  const tick = (name: string, key: "flipped" | "zeroRight" | "reversed") => (
+    <label className="dxf-tick">
+      <input type="checkbox" checked={choice[key]} onChange={(e) => change({ [key]: e.currentTarget.checked })} /> <span>{name}</span>
+    </label>
+  );
+
+  return (
+    <>
+      <button type="button" className="button contour-details" onClick={() => file.current?.click()}>{t.open}</button>
+      <input ref={file} type="file" hidden accept=".dxf,image/vnd.dxf,application/dxf" aria-label={t.choose} onChange={(e) => {
+        void open(e.currentTarget.files?.[0]);
+        e.currentTarget.value = "";
+      }} />
+      <dialog ref={dialog} className="dxf-import" aria-labelledby={`${id}-title`} onKeyDown={(e) => e.stopPropagation()}>
+        <h2 id={`${id}-title`}>{t.title}</h2>
+        <p className="soft">{opened?.name}</p>
+        {opened && opened.kind !== "drawing" && (
+          <p role="alert" className="field-message error">
+            <Icon name="error" /> {t[opened.kind]}
+          </p>
+        )}
+        {read && (
+          <>
+            <div className="contour-drawing dxf-preview">
+              <svg role="img" aria-label={t.preview(read.rows.length)} viewBox={`0 0 ${SIZE.width} ${SIZE.height}`}>
+                <path className="axis" d={picture?.axis} />
+                {picture?.elements.map((e, i) => <path key={i} className="element" d={e.d} />)}
+                {picture?.points.slice(0, 1).map((p, i) => <circle key={i} className="dot first" cx={p.place.x} cy={p.place.y} r={5} />)}
+              </svg>
+            </div>
+            <div className="dxf-choices">
+              <label>
+                <span>{t.tolerance}</span>
+                <input className="input number" type="text" data-number="words" inputMode="decimal" autoComplete="off"
+                  value={inScreenWriting(language, tolerance)} aria-invalid={!fine} onChange={(e) => {
+                  const text = e.currentTarget.value, { value } = readText(TOLERANCE, text);
+                  setTolerance(text);
+                  if (value !== null) change({ tolerance: value, chain: 0 });
+                }} />
+              </label>
+              <label>
+                <span>{t.axes}</span>
+                <select className="select" value={choice.swapped ? "swapped" : "straight"} onChange={(e) =>
+                  change({ swapped: e.currentTarget.value === "swapped" })}
+                >
+                  <option value="straight">{t.straight}</option>
+                  <option value="swapped">{t.swapped}</option>
+                </select>
+              </label>
+              <label>
+                <span>{t.measure}</span>
+                <select className="select" value={choice.diameters ? "diameter" : "radius"} onChange={(e) =>
+                  change({ diameters: e.currentTarget.value === "diameter" })}
+                >
+                  <option value="radius">{t.radius}</option>
+                  <option value="diameter">{t.diameter}</option>
+                </select>
+              </label>
+              {read.chains > 1 && (
+                <label>
+                  <span>{t.chain}</span>
+                  <select className="select" value={choice.chain} onChange={(e) => change({ chain: Number(e.currentTarget.value) })}>
+                    {Array.from({ length: Math.min(read.chains, 50) },
+                      (_, i) => <option key={i} value={i}>{t.chainOf(i + 1, read.chains)}</option>)}
+                  </select>
+                </label>
+              )}
+              {tick(t.reversed, "reversed")}
+              {tick(t.flipped, "flipped")}
+              {tick(t.zeroRight, "zeroRight")}
+            </div>
+            {read.issues.length > 0 && (
+              <ul className="dxf-notes" aria-label={t.found} aria-live="polite">
+                {read.issues.slice(0, 12).map((found, i) => (
+                  <li key={i} className={`small ${found.severity}`}>
+                    <Icon name={found.severity} /> <span>{dxfText(language, found)}</span>
+                  </li>
+                ))}
+              </ul>
+            )}
+            {count > 0 && <p className="small soft">{t.replaces(count)}</p>}
+          </>
+        )}
+        <div className="dxf-buttons">
+          <button type="button" className="button" onClick={() => file.current?.click()}>{t.choose}</button>
+          <button type="button" className="button" onClick={close}>{t.cancel}</button>
+          <button type="button" className="button primary" disabled={!read || read.rows.length < 2} onClick={() => {
+            if (read) onTake(read.rows);
+            close();
+          }}>
+            {t.take}
+          </button>
+        </div>
+      </dialog>
+    </>
+  );
+}

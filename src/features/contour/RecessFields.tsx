@@ -1,0 +1,44 @@
+import { texts } from "../../app/base/settings/loaded-texts.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { UNDERCUT_FORMS } from "../../kernel/undercut.ts";
+import type { ContourRow } from "../../program/job.ts";
+import { formWord } from "../../program/recess-words.ts";
+import { isDiameterWord, recessWords } from "../../program/row-given.ts";
+import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
+import { closeStep } from "../../app/document/steps.ts";
+
+interface Props {
+  readonly row: ContourRow;
+  /** Counted from 1. */
+  readonly number: number;
+  readonly language: Language;
+  readonly describedBy: string;
+  readonly onChange: (change: Partial<ContourRow>, place: string | null) => void;
+}
+
+/** Form and words of an undercut or recess; a word that is left empty comes from its standard, or is not there. */
+export function RecessFields({ row, number, language, describedBy, onChange }: Props) {
+  const t = texts(language).contour;
+  const forms = row.kind === "UDC" ? UNDERCUT_FORMS : (["RADIAL", "AXIAL"] as const);
+  return (
+    <div className="contour-recess">
+      <label>
+        <span>{row.kind}</span>
+        <select className="select" aria-label={t.formOf(number)} value={row.form} data-row={row.id} data-field="form"
+          onChange={(e) => onChange({ form: e.currentTarget.value }, null)}
+        >
+          {forms.map((form) => <option key={form} value={form}>{row.kind === "UDC" ? formWord(form) : form}</option>)}
+        </select>
+      </label>
+      {recessWords(row).map((word) => (
+        <label key={word}>
+          <span className="number">{isDiameterWord(row, word) ? `${word} ⌀` : word}</span>
+          <input className="input number" type="text" data-number="words" inputMode="text" autoComplete="off" spellCheck={false}
+            maxLength={200} aria-label={t.wordOf(number, word)} aria-describedby={describedBy} data-row={row.id} data-field={word}
+            value={inScreenWriting(language, row.words[word] ?? "")} onBlur={closeStep} onFocus={(e) => e.currentTarget.select()}
+            onChange={(e) => onChange({ words: { ...row.words, [word]: e.currentTarget.value } }, `${row.id} ${word}`)} />
+        </label>
+      ))}
+    </div>
+  );
+}

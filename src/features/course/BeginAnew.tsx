@@ -1,0 +1,33 @@
+import { useState } from "react";
+import { isEmptyProgress } from "../../course/progress.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { beginCourseAnew, useLearning } from "../../app/records/course/progress.ts";
+import { useCourseTexts } from "./use-course-texts.ts";
+
+/** The way to begin the course anew: at once, because undo takes it back; and what is wrong with what is kept. */
+export function BeginAnew() {
+  const t = useCourseTexts();
+  const isEmpty = useLearning((s) => isEmptyProgress(s.list));
+  const trouble = useLearning((s) => s.trouble);
+  const [begun, setBegun] = useState(false);
+  return (
+    <div className="course-foot">
+      {!isEmpty && (
+        <button type="button" className="button plain" onClick={() => {
+          beginCourseAnew();
+          setBegun(true);
+        }}>
+          {t.anew}
+        </button>
+      )}
+      <p role="status" className="small">
+        {isEmpty && begun && t.begunAnew}
+        {trouble !== "none" && (
+          <>
+            <Icon name="info" /> {t[trouble]}
+          </>
+        )}
+      </p>
+    </div>
+  );
+}

@@ -1,0 +1,23 @@
+import { lessonNumbers } from "virtual:course-index";
+import { useEffect } from "react";
+import { Icon } from "../../app/base/Icon.tsx";
+import { courseHref } from "../../app/place/course-links.ts";
+import { startLearning, useLearning } from "../../app/records/course/progress.ts";
+import { useCourseTexts } from "./use-course-texts.ts";
+import "./entrance.css";
+
+/**
+ * The way into the course on the start page: to its list, or for who has begun to the page that was open last. Its lesson may have moved
+ * since: the number is that of today.
+ */
+export function CourseEntrance() {
+  const { entrance: t } = useCourseTexts();
+  const last = useLearning((s) => s.list.last);
+  useEffect(startLearning, []);
+  return (
+    <a className="course-entrance" href={last ? courseHref(last.lesson, last.page) : courseHref()}>
+      <b>{t.name}</b> <span className="soft">{last ? t.goOn(String(lessonNumbers[last.lesson] ?? last.number)) : t.about}</span>
+      <Icon name="fold" />
+    </a>
+  );
+}

@@ -1,0 +1,187 @@
+import { Suspense, useEffect, useMemo, useRef, useState } from "react";
+import { operationsPlayed, stepsPlayed, type Played } from "../../course/played.ts";
+import type { Run } from "../../program/run-types.ts";
+import { boundsOf, common, grownBounds, joined, mirrored } from "../../view/bounds.ts";
+import type { Bounds } from "../../view/camera.ts";
+import { datumAt, datumIndex } from "../../view/datum.ts";
+import { sceneOf } from "../../view/scene.ts";
+import type { Ring } from "../../kernel/point.ts";
+import { diameter, toRadius } from "../../kernel/units.ts";
+import type { Outcome } from "../../app/calculation/outcome.ts";
+import { useLong } from "../../app/calculation/use-long.ts";
+import { Marks } from "../../app/pictures/lathe/Marks.tsx";
+import { PlaceButtons, PlaceLines } from "../../app/pictures/lathe/PlaceButtons.tsx";
+import { seenFlat } from "../../app/pictures/lathe/seeing.ts";
+import { Picture } from "../../app/pictures/lathe/Picture.tsx";
+import type { PlaybackStore } from "../../app/calculation/playback-store.ts";
+import { statusText } from "../../app/pictures/lathe/Readout.tsx";
+import { useMaterial } from "../../app/pictures/lathe/use-material.ts";
+import { stretchesOf } from "../../app/pictures/lathe/use-paths.ts";
+import { usePlayback } from "../../app/pictures/lathe/use-playback.ts";
+import { createViewport, type Viewport } from "../../app/pictures/lathe/viewport.ts";
+import { LoadLines } from "../../app/pictures/load/LoadLines.tsx";
+import { LoadMark } from "../../app/pictures/load/LoadMark.tsx";
+import type { Told } from "../../app/pictures/load/use-load.ts";
+import { lazyPart } from "../../app/base/parts.ts";
+import { reducedMotion } from "../../app/base/settings/appearance.ts";
+import { CountedIn, useLengths } from "../../app/calculation/lengths.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { LessonBar } from "./LessonBar.tsx";
+import { LessonFacts } from "./LessonFacts.tsx";
+import { useLessonPlaces } from "./use-lesson-places.ts";
+import type { LessonPageOf } from "./lesson-pages.ts";
+import { useCourseTexts } from "./use-course-texts.ts";
+import { useLessonLoad } from "./use-lesson-load.ts";
+import { useStretch } from "./use-stretch.ts";
+import "../../app/pictures/lathe/lathe.css";
+
+/** Fetched for a program that has approaches. */
+const TurnPoints = lazyPart(async () => ({ default: (await import("../../app/pictures/plane/TurnPoints.tsx")).TurnPoints }));
+
+/** What is done sooner than this is not worth a word, ms. */
+const SOON = 300;
+
+const EVERY = () => true;
+const NOTHING: readonly Ring[] = [];
+
+/** The element of the picture gives its size to the viewport. */
+function useSized(viewport: Viewport) {
+  const stage = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const element = stage.current;
+    if (!element) return undefined;
+    const measure = () => {
+      const { clientWidth: width, clientHeight: height } = element;
+      if (width > 0 && height > 0) viewport.setSize({ width, height });
+    };
+    measure();
+    const sizes = new ResizeObserver(measure);
+    sizes.observe(element);
+    return () => sizes.disconnect();
+  }, [viewport]);
+  return stage;
+}
+
+/** The scene of a run: its blank and contours, its path, and the chuck. */
+const sceneOfRun = (run: Run, path: Parameters<typeof sceneOf>[0]["path"]) =>
+  sceneOf({
+    blank: run.blank,
+    clamping: run.clamping,
+    contours: run.operations.map((o) => o.plan.contour),
+    steps: run.steps,
+    ...(path && { path }),
+  });
+
+/** Room round what is cut, as a share of its longer side: the insert and the ends of the jaws are seen with it. */
+const AIR = 0.2;
+
+/** The stretch of the lathe that a page asks for. */
+const framed = ({ x, z }: NonNullable<LessonPageOf["frame"]>): Bounds => ({
+  left: z[0],
+  right: z[1],
+  low: toRadius(diameter(x[0])),
+  high: toRadius(diameter(x[1])),
+});
+
+/** What the picture of a page shows where it asks for nothing else: the blank with all that is fed there, and not the whole chuck. */
+function frameOf({ blank, steps }: Run, { first, last }: Played, whole: Bounds): Bounds {
+  const fed = steps.slice(first, last + 1).filter(({ move }) => move.kind !== "rapid");
+  const seen = joined(boundsOf(blank.flat()), boundsOf(fed.flatMap(({ from, move }) => [from, move.to])));
+  if (!seen) return whole;
+  const both = mirrored(seen);
+  return common(whole, grownBounds(both, AIR * Math.max(both.right - both.left, both.high - both.low)));
+}
+
+/** The lathe of a page: the run of its program, playing, with what the page shows beside it. */
+export function LessonPicture({ outcome, page, playback, waits, failed, slid }: {
+  readonly outcome: Outcome;
+  readonly page: LessonPageOf;
+  readonly playback: PlaybackStore;
+  /** It is the run before: the one that is wanted is not here yet. */
+  readonly waits: boolean;
+  /** The one that is wanted cannot be made. */
+  readonly failed: boolean;
+  /** A value of this page was slid: its picture follows. */
+  readonly slid: boolean;
+}) {
+  const t = useCourseTexts();
+  const texts = useTexts();
+  const { section, xDown, motion } = useSettings();
+  const [viewport] = useState(() => createViewport(!xDown));
+  const { run, simulation } = outcome;
+  const lengths = useLengths(run);
+  const dimmed = waits && !slid;
+  const isLong = useLong(waits, SOON);
+  const played = useMemo(() => stepsPlayed(run.steps, page.blocks), [run, page.blocks]);
+  const { moving } = useMaterial(outcome, playback);
+  const passes = stretchesOf(run);
+  const scene = useMemo(() => sceneOfRun(run, passes.whole), [run, passes]);
+  const still = reducedMotion({ motion });
+  // As long as the run is that of the page before, this page has not been opened yet: it begins when its own run is here.
+  const opened = dimmed ? `${page.key} waits` : page.key;
+  const stretch = useStretch(playback, run, played, { page: opened, at: still && page.begins === "play" ? "start" : page.begins });
+  const stage = useSized(viewport);
+  const told: Told | null = page.shows === undefined || page.shows === "residue" ? null : page.shows;
+  useLessonLoad(outcome, told);
+  useEffect(() => playback.setStill(still), [playback, still]);
+  const frame = useMemo(() => (page.frame ? framed(page.frame) : frameOf(run, played, scene.bounds)), [page.frame, run, played, scene]);
+  useEffect(() => viewport.setBounds(frame), [frame, viewport]);
+  useEffect(() => viewport.fit(), [page.key, viewport]);
+
+  const ended = usePlayback(playback, (s) => s.get().position.step > played.last);
+  const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
+  const state = useMemo(() => (resting >= 0 ? statusText(texts, lengths, run, playback) : ""), [resting, texts, lengths, run, playback]);
+  const datum = datumAt(run.datums, usePlayback(playback, (s) => datumIndex(run.datums, s.get().position.step)));
+  const places = useLessonPlaces(outcome);
+  const [look, setLook] = useState({ page: "", id: "" });
+  const chosen = places.find(({ id }) => id === look.id && look.page === page.key) ?? null;
+  const choose = (place: typeof chosen) => {
+    setLook({ page: page.key, id: place?.id ?? "" });
+    playback.dispatch({ do: "pause" });
+    if (place?.kind === "residual") stretch.seek(stretch.length);
+    else if (place) playback.dispatch({ do: "seek", position: place.position });
+    if (place) viewport.show(place.bounds);
+    else viewport.fit();
+  };
+  // Where colours tell something, what stays is named only where it is asked for: its mark would stand on theirs.
+  const seen = places.filter((each) => each === chosen || each.kind === "finding" || (ended && told === null));
+  const starts = useMemo(() => operationsPlayed(run.operations, played).map(({ start }) => start), [run, played]);
+  const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
+  const drawn = section === "full" ? "full" : "half";
+  return (
+    <CountedIn value={run.program.unit}>
+      <section className="lesson-picture" aria-label={t.picture.name}>
+        <div className="lesson-lathe">
+          <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${ended ? " ended" : ""}`}>
+            <Picture viewport={viewport} scene={scene} moving={moving} waiting={null}
+              gouges={simulation.findings.flatMap(({ rings }) => rings)}
+              residual={ended ? simulation.proof.residual.map(({ ring }) => ring) : NOTHING} section={drawn}
+              name={texts.lathe.pictures[drawn](state)} path={passes.stretches} ghosts={null} chosen={told && (
+              <Suspense>
+                <LoadLines of={told} run={run} shown={EVERY} />
+              </Suspense>
+            )} hovered={null}>
+              <Marks viewport={viewport} starts={starts} datum={datum} />
+              {told && (
+                <Suspense>
+                  <LoadMark of={told} run={run} seeing={seenFlat(viewport)} />
+                </Suspense>
+              )}
+              {leads.length > 0 && (
+                <Suspense>
+                  <TurnPoints viewport={viewport} approaches={leads} />
+                </Suspense>
+              )}
+              <PlaceLines seeing={seenFlat(viewport)} places={seen} />
+            </Picture>
+            <PlaceButtons seeing={seenFlat(viewport)} places={seen} chosen={chosen} choose={choose} />
+            <p className="lesson-checking small" role="status">{failed ? t.picture.failed : isLong && texts.lathe.checking}</p>
+          </div>
+          <LessonBar playback={playback} stretch={stretch} run={run} lines={page.program} />
+        </div>
+        <LessonFacts outcome={outcome} played={played} told={told} old={isLong || failed} />
+      </section>
+    </CountedIn>
+  );
+}

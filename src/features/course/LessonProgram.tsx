@@ -1,0 +1,46 @@
+import { useEffect, useMemo, useRef } from "react";
+import { blocksOfLines } from "../../course/start-of.ts";
+import type { Run } from "../../program/run-types.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import type { PlaybackStore } from "../../app/calculation/playback-store.ts";
+import { useReadPlayback } from "../../app/pictures/lathe/use-playback.ts";
+import { openToTry } from "./open-example.ts";
+import { useCourseTexts } from "./use-course-texts.ts";
+
+/** The program that the picture is made from, with the block that runs, to be read and to be taken into the editor. */
+export function LessonProgram({ lines, run, playback, open, onOpen }: {
+  readonly lines: readonly string[];
+  /** Its run; null as long as there is none. */
+  readonly run: Run | null;
+  readonly playback: PlaybackStore;
+  /** It stays open from page to page. */
+  readonly open: boolean;
+  readonly onOpen: (open: boolean) => void;
+}) {
+  const t = useCourseTexts().picture;
+  const blocks = useMemo(() => blocksOfLines(lines), [lines]);
+  const running = useReadPlayback(playback, (store) => run?.steps[store.get().position.step]?.block ?? null);
+  const list = useRef<HTMLPreElement>(null);
+  useEffect(() => {
+    const line = list.current?.querySelector<HTMLElement>("[data-running]");
+    if (!list.current || !line) return;
+    const over = line.offsetTop - list.current.offsetTop, { scrollTop, clientHeight } = list.current;
+    if (over < scrollTop || over + line.offsetHeight > scrollTop + clientHeight) list.current.scrollTop = over - clientHeight / 2;
+  }, [running]);
+  return (
+    <details className="lesson-program" open={open} onToggle={({ currentTarget: box }) => {
+      if (box.open && !open) box.scrollIntoView({ block: "nearest" });
+      onOpen(box.open);
+    }}>
+      <summary>{t.program}</summary>
+      <pre ref={list} className="number" role="group" tabIndex={0} aria-label={t.program}>
+        {blocks.map((block, i) => (
+          <span key={i} className="lesson-block" data-running={i === running ? true : undefined}>{block}</span>
+        ))}
+      </pre>
+      <button type="button" className="button" onClick={() => openToTry(lines)}>
+        <Icon name="rename" /> {t.openProgram}
+      </button>
+    </details>
+  );
+}

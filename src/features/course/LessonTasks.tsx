@@ -1,0 +1,59 @@
+import { useRef } from "react";
+import type { Lesson } from "../../course/lesson.ts";
+import { progressOfTask, stateOfTask } from "../../course/progress.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { fetchTask, type LessonEntry } from "../../app/records/course/content.ts";
+import { openToTry } from "./open-example.ts";
+import { useLearning } from "../../app/records/course/progress.ts";
+import { beginTask } from "./task/begin.ts";
+import { TaskStateMark } from "./TaskStateMark.tsx";
+import { useCourseTexts } from "./use-course-texts.ts";
+
+/** What follows the pages of a lesson: what one can do now, the example to play with, and the tasks. */
+export function LessonTasks({ lesson, entry, aim }: { readonly lesson: Lesson; readonly entry: LessonEntry; readonly aim: string }) {
+  const t = useCourseTexts();
+  const { list } = useLearning();
+  const going = useRef(false);
+  /** Pressed twice while the task is on its way, it still begins one work. */
+  const begin = async (id: string) => {
+    if (going.current) return;
+    going.current = true;
+    try {
+      const task = await fetchTask(id);
+      if (task) await beginTask(task);
+    } finally {
+      going.current = false;
+    }
+  };
+  const { example } = lesson;
+  return (
+    <div className="lesson-end">
+      <p className="lesson-aim">{aim}</p>
+      <section aria-labelledby="lesson-tasks">
+        <h2 id="lesson-tasks">{t.tasks}</h2>
+        {entry.tasks.length === 0 && <p className="soft">{t.noTasksYet}</p>}
+        <ol className="task-list">
+          {entry.tasks.map(({ id, kind, title }) => (
+            <li key={id}>
+              <button type="button" className="button task-begin" onClick={() => void begin(id)}>
+                <span className="task-words">
+                  <b>{title}</b>
+                  <span className="small soft">{t.kinds[kind]}</span>
+                </span>
+                <TaskStateMark state={stateOfTask(progressOfTask(list, id))} />
+              </button>
+            </li>
+          ))}
+        </ol>
+      </section>
+      {example && (
+        <section className="lesson-example">
+          <button type="button" className="button" onClick={() => openToTry(example)}>
+            <Icon name="rename" /> {t.example}
+          </button>
+          <p className="small soft">{t.exampleLead}</p>
+        </section>
+      )}
+    </div>
+  );
+}

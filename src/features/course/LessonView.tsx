@@ -1,0 +1,177 @@
+import { Suspense, use, useEffect, useRef, useState } from "react";
+import { valueIn, withSlid } from "../../course/played.ts";
+import { programOfLines } from "../../course/start-of.ts";
+import type { Lesson } from "../../course/lesson.ts";
+import type { LessonPage } from "../../course/progress.ts";
+import { goToCourse } from "../../app/document/go-home.ts";
+import { clock } from "../../app/base/clock.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { createPlaybackStore } from "../../app/calculation/playback-store.ts";
+import { atOnce } from "../../app/base/settings/later-texts.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { fetchLesson, inScreenLanguage, useCourseIndex, type LessonEntry } from "../../app/records/course/content.ts";
+import { courseHref } from "../../app/place/course-links.ts";
+import { useCoursePlace } from "../../app/place/course-place.ts";
+import { LessonPicture } from "./LessonPicture.tsx";
+import { LessonProgram } from "./LessonProgram.tsx";
+import { LessonSlide } from "./LessonSlide.tsx";
+import { LessonTasks } from "./LessonTasks.tsx";
+import { pagesOf, type LessonPageOf } from "./lesson-pages.ts";
+import { Paragraphs } from "./Paragraphs.tsx";
+import { noteLessonPage } from "../../app/records/course/progress.ts";
+import { useCourseTexts } from "./use-course-texts.ts";
+import { useLessonRun } from "./use-lesson-run.ts";
+import { useTurning } from "./use-turning.ts";
+
+const coming = new Map<string, Promise<Lesson | null>>();
+
+/** A lesson, fetched when it is first opened. */
+function useLesson(id: string): Lesson | null {
+  const made = coming.get(id) ?? fetchLesson(id);
+  coming.set(id, made);
+  atOnce(made);
+  return use(made);
+}
+
+/** A page: its text beside the lathe, and what may be slid. */
+function PageOfLesson({ page, text, before, name }: {
+  readonly page: LessonPageOf;
+  readonly text: string;
+  /** Texts of the pages before it. */
+  readonly before: readonly string[];
+  readonly name: string;
+}) {
+  const t = useCourseTexts().picture;
+  const { slide, program } = page;
+  const [playback] = useState(() => createPlaybackStore(clock));
+  const [read, setRead] = useState(false);
+  const [slid, setSlid] = useState<{ readonly key: string; readonly value: number } | null>(null);
+  const first = slide ? valueIn(program, slide.q) ?? slide.from : 0;
+  const value = slid?.key === page.key ? slid.value : first;
+  const lines = slide ? withSlid(program, slide.q, value) : program;
+  const { outcome, waits, failed } = useLessonRun(programOfLines(lines));
+  return (
+    <>
+      <div className="lesson-side">
+        {outcome && (
+          <LessonPicture outcome={outcome} page={page} playback={playback} waits={waits} failed={failed} slid={slid?.key === page.key} />
+        )}
+        {!outcome && <p className="lesson-waits soft" role="status">{failed ? t.failed : t.working}</p>}
+      </div>
+      <div className="lesson-text">
+        <section className="lesson-words" aria-label={name} aria-live="polite" aria-atomic="true">
+          <Paragraphs text={text} before={before} />
+        </section>
+        {slide && <LessonSlide slide={slide} value={value} lines={lines} onSlide={(next) => setSlid({ key: page.key, value: next })} />}
+        <LessonProgram lines={lines} playback={playback} open={read} onOpen={setRead} run={waits || !outcome ? null : outcome.run} />
+      </div>
+    </>
+  );
+}
+
+/** The ways to each page and to the tasks. */
+function PageLinks({ entry, at }: { readonly entry: LessonEntry; readonly at: LessonPage }) {
+  const t = useCourseTexts();
+  const all: readonly LessonPage[] = [...Array.from({ length: entry.pages }, (_, i) => i + 1), "tasks"];
+  return (
+    <nav className="lesson-pages" aria-label={t.pages}>
+      <ol>
+        {all.map((page) => (
+          <li key={page}>
+            <a className="button plain" href={courseHref(entry.id, page)} aria-current={page === at ? "page" : undefined}
+              aria-label={page === "tasks" ? t.tasks : t.page(String(page))}
+            >
+              {page === "tasks" ? t.tasks : <span className="number">{page}</span>}
+            </a>
+          </li>
+        ))}
+      </ol>
+    </nav>
+  );
+}
+
+/** What comes before and after a page of a lesson. */
+function useWays(entry: LessonEntry, at: LessonPage) {
+  const t = useCourseTexts();
+  const { lessons } = useCourseIndex();
+  const next = lessons[lessons.indexOf(entry) + 1];
+  const after = typeof at === "number" && at < entry.pages ? at + 1 : "tasks";
+  const back = at === "tasks" ? entry.pages : at - 1;
+  return {
+    back: back >= 1 ? { lesson: entry.id, page: back, name: t.previous } : null,
+    on: at === "tasks"
+      ? next ? { lesson: next.id, page: 1, name: t.nextLesson(String(next.number), next.title) } : null
+      : { lesson: entry.id, page: after as LessonPage, name: after === "tasks" ? t.toTasks : t.next },
+  };
+}
+
+function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
+  const t = useCourseTexts();
+  const language = useSettings((s) => s.language);
+  const lesson = useLesson(entry.id);
+  const asked = useCoursePlace((p) => p.page);
+  const at: LessonPage = typeof asked === "number" && asked > entry.pages ? entry.pages : asked;
+  const main = useRef<HTMLElement>(null);
+  const { back, on } = useWays(entry, at);
+  useTurning(main, (by) => {
+    const to = by < 0 ? back : on;
+    // The list is not a page that one turns to.
+    if (to && to.lesson === entry.id) goToCourse(to.lesson, to.page);
+  });
+  useEffect(() => noteLessonPage({ lesson: entry.id, number: entry.number, page: at }), [entry, at]);
+  useEffect(() => {
+    for (const each of main.current?.querySelectorAll(".lesson-body, .lesson-text") ?? []) each.scrollTop = 0;
+  }, [at]);
+  const words = lesson && inScreenLanguage(lesson.words, language);
+  if (!lesson || !words) return <MissingLesson />;
+  const page = typeof at === "number" ? pagesOf(lesson)[at - 1] : undefined;
+  return (
+    <main className="course-page lesson" ref={main}>
+      <header className="lesson-head">
+        <a className="button icon plain" href={courseHref()} aria-label={t.toList} title={t.toList}>
+          <Icon name="back" />
+        </a>
+        <h1>
+          <span className="soft">{t.lesson(String(entry.number))}</span> {words.title}
+        </h1>
+        <PageLinks entry={entry} at={at} />
+      </header>
+      <div className="lesson-body" data-tasks={!page}>
+        {page && typeof at === "number"
+          ? (
+            <PageOfLesson page={page} text={words.pages[at - 1] ?? ""} before={words.pages.slice(0, at - 1)}
+              name={t.pageOf(String(at), String(entry.pages))} />
+          )
+          : <LessonTasks lesson={lesson} entry={entry} aim={words.aim} />}
+      </div>
+      <footer className="lesson-foot">
+        <span className="lesson-foot-side">{back && <a className="button" href={courseHref(back.lesson, back.page)}>{back.name}</a>}</span>
+        <span className="soft small" aria-hidden="true">{typeof at === "number" && t.pageOf(String(at), String(entry.pages))}</span>
+        <span className="lesson-foot-side">{on && <a className="button primary" href={courseHref(on.lesson, on.page)}>{on.name}</a>}</span>
+      </footer>
+    </main>
+  );
+}
+
+function MissingLesson() {
+  const t = useCourseTexts();
+  return (
+    <main className="course-page">
+      <p>{t.missing}</p>
+      <p>
+        <a className="button" href={courseHref()}>{t.toList}</a>
+      </p>
+    </main>
+  );
+}
+
+/** A lesson: its pages one after the other, then its tasks. */
+export function LessonView({ entry }: { readonly entry: LessonEntry | null }) {
+  return entry
+    ? (
+      <Suspense>
+        <OpenLesson entry={entry} />
+      </Suspense>
+    )
+    : <MissingLesson />;
+}

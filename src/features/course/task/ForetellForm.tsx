@@ -1,0 +1,110 @@
+import { useEffect, useId, useRef, useState } from "react";
+import type { Task, TaskWords } from "../../../course/task.ts";
+import { answerKindOf, toldBy } from "../../../course/told.ts";
+import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { useSelection } from "../../../app/document/selected.ts";
+import { useEditor } from "../../../app/document/store.ts";
+import { useMedia } from "../../../app/base/use-media.ts";
+import { showRun } from "./check.ts";
+import { AskedAnswer } from "./AskedAnswer.tsx";
+import { useTaskView } from "./task-view.ts";
+import { setTold, taskOfWork } from "../../../app/document/work-task.ts";
+
+const NO_TEXTS: readonly string[] = [];
+
+/** A block that is pointed at while its number is asked for is the answer. */
+function usePointedBlock(question: number, asks: boolean): void {
+  const isProgram = useEditor((s) => s.program !== null);
+  useEffect(() => {
+    if (!asks) return undefined;
+    const tell = (block: number) => setTold(question, String(block));
+    if (!isProgram) {
+      return useSelection.subscribe(({ line }, before) => {
+        if (line && line !== before.line) tell(line.block);
+      });
+    }
+    let stop = () => undefined as void;
+    let gone = false;
+    void import("./open-numbered.ts").then(({ followPointed }) => {
+      if (!gone) stop = followPointed(tell);
+    });
+    return () => {
+      gone = true;
+      stop();
+    };
+  }, [question, asks, isProgram]);
+}
+
+/** Where the assignment stands in the place of the work: the way to what is pointed at for an answer. */
+function ToPointed({ kind, t }: { readonly kind: ReturnType<typeof answerKindOf>; readonly t: CourseTaskTexts }) {
+  const isNarrow = useMedia("narrow");
+  const isOpen = useTaskView((v) => v.open);
+  if (!isNarrow || !isOpen || (kind !== "place" && kind !== "block")) return null;
+  return (
+    <button type="button" className="button" onClick={() => useTaskView.setState({ open: false })}>
+      <Icon name="up" /> {t.foretell.toPointed[kind]}
+    </button>
+  );
+}
+
+/** What is asked before the run, one question at a time. */
+export function ForetellForm({ task, t, words }: { readonly task: Task; readonly t: CourseTaskTexts; readonly words: TaskWords }) {
+  const labelled = useId();
+  const told = useEditor((s) => taskOfWork(s)?.told ?? NO_TEXTS);
+  const asked = useTaskView((v) => v.question);
+  const predict = task.predict ?? [];
+  const question = Math.min(asked, predict.length - 1);
+  const prediction = predict[question];
+  usePointedBlock(question, prediction !== undefined && answerKindOf(prediction) === "block");
+  const isNarrow = useMedia("narrow");
+  const [lacking, lack] = useState<number | null>(null);
+  const form = useRef<HTMLFormElement>(null);
+  const isTyping = useRef(false);
+  // Who goes on with Enter in a field types on in that of the next question; who presses the button stays on it.
+  useEffect(() => {
+    if (!isTyping.current) return;
+    isTyping.current = false;
+    (form.current?.querySelector<HTMLInputElement>("input:checked") ?? form.current?.querySelector("input"))?.focus();
+  }, [question]);
+  if (!prediction) return null;
+  const isLast = question === predict.length - 1;
+  const isSaid = (i: number) => {
+    const each = predict[i];
+    return each !== undefined && toldBy(each, told[i] ?? "") !== null;
+  };
+  const show = (next: number) => useTaskView.setState({ question: next });
+  /** What is not answered yet may be passed over; whoever asks for the run is told what still lacks. */
+  const goOn = () => {
+    const open = predict.findIndex((_, i) => !isSaid(i)), next = isLast ? open : question + 1;
+    if (next < 0) {
+      // Where the assignment stands in the place of the work, the run comes in sight with what it says of the answers.
+      if (isNarrow) useTaskView.setState({ open: false });
+      return void showRun(task);
+    }
+    isTyping.current = next !== question && document.activeElement instanceof HTMLInputElement;
+    lack(isLast ? open : null);
+    show(next);
+  };
+  return (
+    <form ref={form} className="task-now task-foretell" onSubmit={(event) => {
+      event.preventDefault();
+      goOn();
+    }}>
+      <p id={labelled} className="task-question">
+        {predict.length > 1 && <span className="soft small">{t.foretell.question(question + 1, predict.length)}</span>}
+        <b>{words.questions?.[question] ?? t.foretell.title}</b>
+      </p>
+      <AskedAnswer key={question} prediction={prediction} put={(next) => setTold(question, next)} text={told[question] ?? ""}
+        choices={words.choices?.[question] ?? []} t={t} labelled={labelled} />
+      <p role="status" className="task-lacks">
+        {lacking === question && !isSaid(question) && t.foretell.lacks(question + 1, predict.length)}
+      </p>
+      <div className="task-ways">
+        <ToPointed kind={answerKindOf(prediction)} t={t} />
+        {question > 0 && <button type="button" className="button" onClick={() => show(question - 1)}>{t.foretell.back}</button>}
+        <button type="submit" className="button primary">{isLast ? t.foretell.run : t.foretell.nextQuestion}</button>
+      </div>
+    </form>
+  );
+}

@@ -1,0 +1,60 @@
+import type { TaskWords } from "../../../course/task.ts";
+import type { ComparedAnswer } from "../../../course/told.ts";
+import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { formatNumber } from "../../../i18n/number.ts";
+import { part, type Pt } from "../../../kernel/point.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { useSettings } from "../../../app/base/settings/settings.ts";
+import { foretellAgain } from "./check.ts";
+import { placeWords } from "./mark-words.ts";
+import { useTaskView } from "./task-view.ts";
+
+/** Decimals of sizes, areas and times beside a told one. */
+const DECIMALS = 2;
+
+/** What was told beside the truth, in a sentence. A block that was told wrongly is not given away: it is sought again. */
+function comparedText(
+  { prediction, told, truth, right }: ComparedAnswer,
+  t: CourseTaskTexts,
+  language: Language,
+  choices: readonly string[],
+) {
+  const { foretell: words } = t;
+  const say = (what: string, is: string) => (right ? words.right(is) : words.wrong(what, is));
+  if (truth.kind === "choice") return say(choices[Number(told)] ?? "–", choices[truth.right] ?? "");
+  if (truth.kind === "block") return right ? words.right(words.isBlock(String(told))) : words.wrongBlock(String(told));
+  if (truth.kind === "place") {
+    const name = (place: Pt) => t.where.place(...placeWords(language, place));
+    const said = told as Pt;
+    if (!truth.place) return words.nowhere(name(said));
+    if (right) return words.right(name(truth.place));
+    return words.wrongPlace(name(said), name(truth.place), formatNumber(language, part.apart(said, truth.place), 1));
+  }
+  const unit = prediction.ask in words.units ? ` ${words.units[prediction.ask as keyof typeof words.units]}` : "";
+  const number = (value: number | null) => (value === null ? "–" : `${formatNumber(language, value, DECIMALS)}${unit}`);
+  return say(`${formatNumber(language, Number(told))}${unit}`, number(truth.value));
+}
+
+/** What was foretold, beside what is so: the run is in the picture. */
+export function ForetoldResult({ t, words }: { readonly t: CourseTaskTexts; readonly words: TaskWords }) {
+  const language = useSettings((s) => s.language);
+  const foretold = useTaskView((v) => v.foretold);
+  if (!foretold) return null;
+  return (
+    <div className="task-now task-foretold">
+      <ul>
+        {foretold.map((compared, i) => (
+          <li key={i} className={compared.right ? "task-passed" : "task-failed"}>
+            <Icon name={compared.right ? "check" : "close"} />
+            <span>
+              {foretold.length > 1 && <span className="soft">{words.questions?.[i]}{" "}</span>}
+              {comparedText(compared, t, language, words.choices?.[i] ?? [])}
+            </span>
+          </li>
+        ))}
+      </ul>
+      {foretold.some(({ right }) => !right) && <button type="button" className="button" onClick={foretellAgain}>{t.foretell.again}</button>}
+    </div>
+  );
+}

@@ -1,0 +1,147 @@
+import type { ReactNode } from "react";
+import { gathered, goalsOf, isMet, type DrawnGoal, type TaskGoal } from "../../../course/goals.ts";
+import type { Task, TaskWords } from "../../../course/task.ts";
+import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import { formatNumber } from "../../../i18n/number.ts";
+import { writer } from "../../../i18n/write.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { useEditor } from "../../../app/document/store.ts";
+import { useSettings } from "../../../app/base/settings/settings.ts";
+import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
+import { Paragraphs } from "../Paragraphs.tsx";
+import { ForetoldResult } from "./ForetoldResult.tsx";
+import { goalText } from "./goal-words.ts";
+import { placedText } from "./mark-words.ts";
+import { TaskHelp } from "./TaskHelp.tsx";
+import { TaskOnward } from "./TaskOnward.tsx";
+import { useTaskView } from "./task-view.ts";
+import { taskOfWork } from "../../../app/document/work-task.ts";
+
+interface Props {
+  readonly task: Task;
+  readonly t: CourseTaskTexts;
+  readonly words: TaskWords;
+}
+
+/** A task may be the first of the course that is read. */
+const NOTHING: readonly string[] = [];
+
+/** One goal with its tick; `met`: undefined where that is not known. */
+function Ticked({ met, t, children }: { readonly met: boolean | undefined; readonly t: CourseTaskTexts; readonly children: ReactNode }) {
+  return (
+    <>
+      <span className="task-tick" aria-hidden="true">{met !== undefined && <Icon name={met ? "check" : "close"} />}</span>
+      <span>{children} {met !== undefined && <span className="unseen">, {met ? t.met : t.notMet}</span>}</span>
+    </>
+  );
+}
+
+/** The sizes that stand on the drawing as one goal: unfolded each of them, first those that are wrong, with what they are and where. */
+function DrawnSizes({ task, t, drawn, known }: Omit<Props, "words"> & { readonly drawn: readonly DrawnGoal[]; readonly known: boolean }) {
+  const language = useSettings((s) => s.language);
+  const wrong = drawn.filter(({ marks }) => marks.length > 0).length;
+  const met = known ? wrong === 0 : undefined;
+  return (
+    <li className="task-drawn" data-met={met}>
+      <details>
+        <summary>
+          <Ticked met={met} t={t}>{wrong > 0 ? t.is.drawnWrong(drawn.length, wrong) : t.is.drawn(drawn.length)}</Ticked>
+        </summary>
+        <ul>
+          {drawn.map(({ goal, marks }, i) => (
+            <li key={i} data-met={known ? marks.length === 0 : undefined}>
+              <Ticked met={known ? marks.length === 0 : undefined} t={t}>
+                {goalText(t, language, goal)}
+                {marks.map((mark, k) => <span key={k} className="task-measured">{placedText(mark, { t, language, task })}</span>)}
+              </Ticked>
+            </li>
+          ))}
+        </ul>
+      </details>
+    </li>
+  );
+}
+
+/** What the task wants, ticked off after the first check. Beside a drawing the sizes that stand on it are one goal. */
+function Goals({ task, t, hasDrawing }: Omit<Props, "words"> & { readonly hasDrawing: boolean }) {
+  const language = useSettings((s) => s.language);
+  const { live, foretold } = useTaskView();
+  const rights = (foretold ?? []).map(({ right }) => right);
+  const all = goalsOf(task), groups = gathered(all, live);
+  const isGathered = hasDrawing && groups.drawn.length > 1;
+  const row = (goal: TaskGoal, i: number) => {
+    const known = goal.kind === "foretold" ? foretold !== null : live !== null;
+    const met = known ? isMet(goal, live, rights) : undefined;
+    return (
+      <li key={`${goal.kind} ${i}`} data-met={met}>
+        <Ticked met={met} t={t}>{goalText(t, language, goal)}</Ticked>
+      </li>
+    );
+  };
+  return (
+    <section className="task-part" aria-label={t.goals}>
+      <h3>{t.goals}</h3>
+      <ul className="task-goals">
+        {(isGathered ? groups.before : all).map(row)}
+        {isGathered && <DrawnSizes task={task} t={t} drawn={groups.drawn} known={live !== null} />}
+        {isGathered && groups.after.map((goal, i) => row(goal, all.length + i))}
+      </ul>
+    </section>
+  );
+}
+
+/** The score of a drawing, and what would be better. */
+function Scored({ t }: Pick<Props, "t">) {
+  const language = useSettings((s) => s.language);
+  const score = useTaskView((v) => v.checked?.judgement.score);
+  if (!score) return null;
+  const write = writer(language);
+  return (
+    <section className="task-part" aria-label={t.score.title}>
+      <h3>{t.score.of(String(score.total))}</h3>
+      <ul className="task-score">
+        {score.parts.map(({ what, points, of, value, par }) => {
+          const number = (each: number) => what === "residue" ? write.area(each) : formatNumber(language, each, 0);
+          return (
+            <li key={what}>
+              <span>{t.score.parts[what]}</span> <meter min={0} max={of} value={points} aria-label={t.score.parts[what]} />{" "}
+              <span className="number">{points}/{of}</span>
+              {points < of && <span className="soft small">{t.score.better[what](number(value), number(par))}</span>}
+            </li>
+          );
+        })}
+      </ul>
+    </section>
+  );
+}
+
+/** What is asked, what is to be reached, help one step at a time, and where it goes on. */
+export function TaskBody({ task, t, words }: Props) {
+  const language = useSettings((s) => s.language);
+  const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
+  // An instructor's words need not have the sizes: the part is shown.
+  const isFromOutside = useEditor((s) => taskOfWork(s)?.file !== undefined);
+  const hasDrawing = task.part !== undefined && (task.kind === "drawing" || isFromOutside);
+  return (
+    <>
+      <section className="task-part task-ask" aria-label={t.unfold}>
+        <Paragraphs text={words.ask} before={NOTHING} />
+        {hasDrawing && (
+          <details className="task-drawing" open>
+            <summary>{t.drawing}</summary>
+            <WorkshopDrawing task={task} language={language} />
+          </details>
+        )}
+      </section>
+      <div className="task-beside">
+        <Goals task={task} t={t} hasDrawing={hasDrawing} />
+        <Scored t={t} />
+        {!veiled && <ForetoldResult t={t} words={words} />}
+      </div>
+      <div className="task-beside">
+        <TaskHelp task={task} t={t} words={words} />
+        <TaskOnward task={task} t={t} words={words} />
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,86 @@
+import { useState } from "react";
+import { programOfLines } from "../../../course/start-of.ts";
+import { shownId, type Task, type TaskWords } from "../../../course/task.ts";
+import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import { showComparison } from "../../../app/place/compare-place.ts";
+import { startWork } from "../../../app/records/keep.ts";
+import { handedOn, useEditor } from "../../../app/document/store.ts";
+import { broughtBy } from "../../../app/document/work.ts";
+import { Paragraphs } from "../Paragraphs.tsx";
+import { noteHint, noteSolution, useTaskProgress } from "../../../app/records/course/progress.ts";
+
+/** Opens a block of the present work; in prompts there is none to open. */
+async function showBlock(_file: string | null, _index: number, number: number): Promise<void> {
+  if (!useEditor.getState().program) return;
+  const { openNumbered } = await import("./open-numbered.ts");
+  openNumbered(number, null);
+}
+
+/** Three stages of a hint, one after the other, and then the solution beside the own work. Each is asked for, and counted. */
+export function TaskHelp({ task, t, words }: { readonly task: Task; readonly t: CourseTaskTexts; readonly words: TaskWords }) {
+  const { hints, solution: seen } = useTaskProgress(task.id);
+  const [shown, setShown] = useState(0);
+  const [sure, ask] = useState(false);
+  const [open, setOpen] = useState(false);
+  const { solution } = task;
+  const stages = Math.max(shown, hints);
+  const next = stages + 1;
+  const name = `${words.title} · ${t.solutionName}`;
+  const text = solution && programOfLines(solution);
+  return (
+    <section className="task-part task-help">
+      {words.hints.slice(0, stages).map((hint, i) => (
+        <div key={i} className="task-hint">
+          <h3>{t.hint(i + 1)}</h3>
+          <Paragraphs text={hint} before={[words.ask, ...words.hints.slice(0, i)]} />
+        </div>
+      ))}
+      <div className="task-ways">
+        {stages < words.hints.length && (
+          <button type="button" className="button" onClick={() => {
+            setShown(next);
+            noteHint(task.id, next);
+          }}>
+            {t.showHint(next)}
+          </button>
+        )}
+        {text !== undefined && !sure && !open && (
+          <button type="button" className="button" onClick={() => (seen ? setOpen(true) : ask(true))}>{t.showSolution}</button>
+        )}
+      </div>
+      {sure && (
+        <div className="task-sure" role="group" aria-label={t.showSolution}>
+          <p>{t.sure}</p>
+          <div className="task-ways">
+            <button type="button" className="button primary" onClick={() => {
+              noteSolution(task.id);
+              ask(false);
+              setOpen(true);
+            }}>
+              {t.yesShow}
+            </button>
+            <button type="button" className="button" autoFocus onClick={() => ask(false)}>{t.notYet}</button>
+          </div>
+        </div>
+      )}
+      {open && text !== undefined && (
+        <div className="task-solution">
+          <h3>{t.solution}</h3>
+          <pre className="number small" tabIndex={0} aria-label={t.solution}>{text}</pre>
+          <div className="task-ways">
+            <button type="button" className="button" aria-haspopup="dialog" onClick={() =>
+              showComparison((...place) => void showBlock(...place), { name, text })}
+            >
+              {t.compare}
+            </button>
+            <button type="button" className="button" onClick={() =>
+              startWork({ name: `${shownId(task)}_solution.h`, text, encoding: "utf-8", ...broughtBy(handedOn(useEditor.getState())) })}
+            >
+              {t.openSolution}
+            </button>
+          </div>
+        </div>
+      )}
+    </section>
+  );
+}

@@ -1,0 +1,110 @@
+import { Suspense, useCallback, useEffect, useId, useMemo } from "react";
+import type { TaskMark } from "../../../course/judge/judgement.ts";
+import type { Task } from "../../../course/task.ts";
+import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import { useOutcome } from "../../../app/calculation/outcome.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { usePlace } from "../../../app/place/place.ts";
+import { useSettings } from "../../../app/base/settings/settings.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
+import { useEditor } from "../../../app/document/store.ts";
+import { useMedia } from "../../../app/base/use-media.ts";
+import { inScreenLanguage } from "../../../app/records/course/content.ts";
+import { checkTask, compareForetold, isOfWork, judgeQuietly, lookAgain } from "./check.ts";
+import { ForetellForm } from "./ForetellForm.tsx";
+import { ForetoldResult } from "./ForetoldResult.tsx";
+import { MarkLine } from "./MarkLine.tsx";
+import { markText } from "./mark-words.ts";
+import { TaskBody } from "./TaskBody.tsx";
+import { PassedLine } from "./TaskOnward.tsx";
+import { TaskStatus, usePassedNow } from "./TaskStatus.tsx";
+import { useTaskPicture } from "./use-task-picture.ts";
+import { useTaskView } from "./task-view.ts";
+import { taskOfWork } from "../../../app/document/work-task.ts";
+
+/** Rest after a result before the goals are looked at again, ms. */
+const QUIET = 400;
+
+/** After the first check the goals follow the work, quietly; and what was said of an older state is no longer shown in the picture. */
+function useFollowing(task: Task): void {
+  const newest = useOutcome((s) => s.newest);
+  const job = useEditor((s) => s.job);
+  const program = useEditor((s) => s.program);
+  const checked = useTaskView((v) => v.checked);
+  const section = usePlace((p) => p.section);
+  const prompt = usePlace((p) => p.prompt);
+  // Not while a value is typed: what is tapped must not move away.
+  useEffect(lookAgain, [section, prompt]);
+  useEffect(() => {
+    if (!checked) return undefined;
+    const stale = !isOfWork(checked.answer as NonNullable<typeof newest>);
+    if (useTaskView.getState().stale !== stale) useTaskView.setState({ stale, ...(!stale && { live: checked.judgement }) });
+    if (!stale) return undefined;
+    const timer = setTimeout(() => judgeQuietly(task), QUIET);
+    return () => clearTimeout(timer);
+  }, [task, newest, job, program, checked]);
+}
+
+/** A task over its work: one line with what comes next, and unfolded what is asked. */
+export function TaskPanel({ task, t }: { readonly task: Task; readonly t: CourseTaskTexts }) {
+  const texts = useTexts();
+  const language = useSettings((s) => s.language);
+  const body = useId();
+  const words = inScreenLanguage(task.words, language);
+  const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
+  const { open, checking, checked, foretold, stale } = useTaskView();
+  const marks = useMemo(() => checked?.judgement.marks.filter((mark) => !mark.passed) ?? null, [checked]);
+  const say = useCallback((mark: TaskMark) => (checked ? markText(mark, { t, texts, language, task, answer: checked.answer }) : ""), [
+    checked,
+    t,
+    texts,
+    language,
+    task,
+  ]);
+  const passed = usePassedNow(task);
+  useFollowing(task);
+  useTaskPicture(task, t, language, marks, say);
+  /** Where there is little room the work stands back for what is asked. */
+  const alone = useMedia("narrow") && open;
+  const asks = task.predict !== undefined && task.predict.length > 0;
+  useEffect(() => {
+    if (asks && !veiled) void compareForetold(task);
+  }, [task, asks, veiled]);
+  if (!words) return null;
+  const makes = task.kind !== "predict";
+  return (
+    <section className="task-panel" role={alone ? "main" : undefined} aria-label={t.region(words.title)} data-open={open}
+      data-veiled={veiled} onKeyDown={(event) => event.stopPropagation()}
+    >
+      <div className="task-head">
+        <h2 className="task-title">{words.title}</h2>
+        <TaskStatus task={task} t={t} />
+        {makes && !veiled && (
+          <button type="button" className="button primary" disabled={checking} onClick={() => void checkTask(task)}>
+            <Icon name="check" /> {t.check}
+          </button>
+        )}
+        <button type="button" className="button task-unfold" aria-label={open ? t.fold : t.unfold} aria-expanded={open} aria-controls={body}
+          onClick={() => useTaskView.setState({ open: !open })}
+        >
+          <Icon name={open ? "up" : "down"} /> <span>{open ? t.fold : t.unfold}</span>
+        </button>
+      </div>
+      {!open && !veiled && foretold && !marks?.length && !(passed && makes) && <ForetoldResult t={t} words={words} />}
+      {!open && checked && marks && marks.length > 0 && !stale && <MarkLine marks={marks} say={say} run={checked.answer.run} t={t} />}
+      {!open && passed && (
+        <Suspense>
+          <PassedLine task={task} t={t} words={words} />
+        </Suspense>
+      )}
+      <div id={body} className="task-body" hidden={!open}>
+        {open && (
+          <Suspense>
+            <TaskBody task={task} t={t} words={words} />
+          </Suspense>
+        )}
+      </div>
+      {veiled && <ForetellForm task={task} t={t} words={words} />}
+    </section>
+  );
+}

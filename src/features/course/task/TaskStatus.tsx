@@ -1,0 +1,81 @@
+import { goalsOf, isMet } from "../../../course/goals.ts";
+import type { Task } from "../../../course/task.ts";
+import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { draftOf } from "../../../app/document/edits.ts";
+import { openPrompt, showSection } from "../../../app/place/place.ts";
+import { useSettings } from "../../../app/base/settings/settings.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
+import { useEditor } from "../../../app/document/store.ts";
+import type { ParamTextId } from "../../../cycles/index.ts";
+import { cycleByNumber } from "../../../cycles/index.ts";
+import { useTaskProgress } from "../../../app/records/course/progress.ts";
+import { useTaskView, type NotReady } from "./task-view.ts";
+
+/** Names of empty prompts that are said at once; the others follow when these are answered. */
+const NAMED = 3;
+
+/** Opens the first thing that is still empty. */
+function goToLacking(lacks: NotReady): void {
+  const { job } = useEditor.getState();
+  if (lacks.why === "noContour") return showSection("contour");
+  const q = lacks.why === "empty" ? lacks.at[0] : undefined;
+  if (job && q !== undefined) openPrompt(q, draftOf(job)[q] ?? "");
+}
+
+/** What a check says that could not judge yet: never a try. */
+function Lacking({ lacks, t }: { readonly lacks: NotReady; readonly t: CourseTaskTexts }) {
+  const texts = useTexts();
+  const cycle = useEditor((s) => s.job && cycleByNumber(s.job.cycle));
+  const nameOf = (q: string) => {
+    const param = cycle?.params[q];
+    return param ? `${q} ${texts.params[param.text as ParamTextId].label}` : q;
+  };
+  if (lacks.why === "noRun" || lacks.why === "notRun") return <span>{t[lacks.why]}</span>;
+  const names = lacks.why === "empty" ? lacks.at.slice(0, NAMED).map(nameOf).join(", ") + (lacks.at.length > NAMED ? ", …" : "") : "";
+  return (
+    <>
+      <span>{lacks.why === "empty" ? t.empty(names) : t.noContour}</span>
+      <button type="button" className="button plain" onClick={() => goToLacking(lacks)}>
+        {t.goTo(lacks.why === "empty" ? (lacks.at[0] ?? "") : texts.page.contour)}
+      </button>
+    </>
+  );
+}
+
+/** Whether the last check, or the run after what was foretold, passed the work as it stands. */
+export function usePassedNow({ kind }: Task): boolean {
+  const { checked, stale, foretold } = useTaskView();
+  if (stale) return false;
+  return checked ? checked.passed : kind === "predict" && foretold !== null && foretold.length > 0 && foretold.every(({ right }) => right);
+}
+
+/** How it stands, in one line: not ready, so many goals open, passed. Said as it changes by a check, not while somebody works. */
+export function TaskStatus({ task, t }: { readonly task: Task; readonly t: CourseTaskTexts }) {
+  const language = useSettings((s) => s.language);
+  const { checking, notReady, checked, stale, foretold } = useTaskView();
+  const { passed, tries } = useTaskProgress(task.id);
+  const rights = (foretold ?? []).map(({ right }) => right);
+  const isPassed = usePassedNow(task);
+  const say = () => {
+    if (checking) return <span>{t.checking} …</span>;
+    if (notReady) return <Lacking lacks={notReady} t={t} />;
+    if (isPassed) {
+      return (
+        <span className="task-passed">
+          <Icon name="check" /> {passed ? t.passedFor[passed.way] : t.passed}
+        </span>
+      );
+    }
+    if (stale) return <span className="soft">{t.stale}</span>;
+    if (!checked) return tries > 0 && <span className="soft">{t.tries(tries)}</span>;
+    const goals = goalsOf(task);
+    const open = goals.filter((goal) => !isMet(goal, checked.judgement, rights)).length;
+    return (
+      <span className="task-failed">
+        <Icon name="info" /> {t.failed(open, goals.length)}
+      </span>
+    );
+  };
+  return <p className="task-status" role="status" lang={language}>{say()}</p>;
+}

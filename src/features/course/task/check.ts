@@ -1,0 +1,156 @@
+import { judge } from "../../../course/judge/judge.ts";
+import type { Answer } from "../../../course/judge/judgement.ts";
+import type { Task } from "../../../course/task.ts";
+import { compareTold, type ComparedAnswer } from "../../../course/told.ts";
+import { asProgram } from "../../../app/fields/compare/sides.ts";
+import { compareFromHere } from "../../../app/findings/effect/before.ts";
+import { outcomeBeside } from "../../../app/calculation/beside.ts";
+import { calculateAgain } from "../../../app/calculation/client.ts";
+import { forgetOutcome, isMadeFrom, useOutcome, type Outcome } from "../../../app/calculation/outcome.ts";
+import { isOpen } from "../../../app/findings/entry.ts";
+import { chooseFinding } from "../../../app/document/chosen.ts";
+import { printedText } from "../../../app/document/printed.ts";
+import { readJob } from "../../../app/document/reading.ts";
+import { handOver, useEditor } from "../../../app/document/store.ts";
+import { notePass, noteTry } from "../../../app/records/course/progress.ts";
+import { workOfTask } from "./begin.ts";
+import { useTaskView, type NotReady } from "./task-view.ts";
+import { changeTask, taskOfWork } from "../../../app/document/work-task.ts";
+
+/** Whether a result is that of the open work as it stands. */
+export function isOfWork(outcome: Outcome | null): outcome is Outcome {
+  const { job, program } = useEditor.getState();
+  if (!outcome) return false;
+  return program ? isMadeFrom(outcome, program) : job !== null && outcome.text === printedText(job);
+}
+
+/** The result of the open work as it stands, when it is there; null where it does not come. */
+function presentAnswer(): Promise<Outcome | null> {
+  const { work } = useEditor.getState();
+  return new Promise((done) => {
+    const look = () => {
+      const { newest, stopped } = useOutcome.getState();
+      const isLeft = useEditor.getState().work !== work;
+      if (!isLeft && isOfWork(newest)) stop(newest);
+      else if (isLeft || stopped) stop(null);
+    };
+    const leave = [useOutcome.subscribe(look), useEditor.subscribe(look)];
+    const stop = (answer: Outcome | null) => {
+      for (const end of leave) end();
+      done(answer);
+    };
+    look();
+  });
+}
+
+/** What the open work still lacks before it can be judged; null when it is whole. */
+function lacking(): NotReady | null {
+  const { job } = useEditor.getState();
+  const read = job && readJob(job);
+  if (!read) return null;
+  if (read.cycle.contour === "free" && read.job.contour.length === 0) return { why: "noContour" };
+  if (read.reading.values) return null;
+  const open = read.reading.issues.flatMap((issue) => (isOpen({ issue }) && issue.at !== undefined ? [issue.at] : []));
+  return open.length > 0 ? { why: "empty", at: open } : { why: "notRun" };
+}
+
+/** What a check found lacking is no longer said once it is there. */
+export function lookAgain(): void {
+  const { notReady } = useTaskView.getState();
+  if (notReady?.why !== "empty" && notReady?.why !== "noContour") return;
+  const lacks = lacking();
+  const isSame = lacks?.why === "empty" && notReady.why === "empty" ? lacks.at[0] === notReady.at[0] : lacks?.why === notReady.why;
+  if (!isSame) useTaskView.setState({ notReady: null });
+}
+
+const cuts = ({ run }: Answer): boolean => run.steps.some(({ move }) => move.kind !== "rapid") || run.plane.length > 0;
+
+const areRight = (answers: readonly ComparedAnswer[] | null, task: Task): boolean =>
+  (task.predict ?? []).every((_, i) => answers?.[i]?.right === true);
+
+/** A picture of the page comes between: a long check is seen to be one. */
+const painted = (): Promise<void> => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+
+/** Judges the open work as it stands, and counts it as a try. */
+export async function checkTask(task: Task): Promise<void> {
+  const { work } = useEditor.getState();
+  handOver();
+  const lacks = lacking();
+  chooseFinding(null);
+  if (lacks) return useTaskView.setState({ notReady: lacks });
+  useTaskView.setState({ checking: true, notReady: null });
+  const answer = await presentAnswer();
+  await painted();
+  if (useTaskView.getState().work !== work) return;
+  if (!answer || !cuts(answer)) return useTaskView.setState({ checking: false, notReady: { why: answer ? "noRun" : "notRun" } });
+  const judgement = judge(task, answer);
+  const passed = judgement.passed && areRight(useTaskView.getState().foretold, task);
+  const { score } = judgement;
+  noteTry(task.id);
+  if (passed) notePass(task.id, { seconds: answer.simulation.totalSeconds, ...(score && { score: score.total }) });
+  useTaskView.setState({ checking: false, checked: { answer, judgement, passed }, live: judgement, stale: false, place: 0 });
+}
+
+/** How the goals stand now: asked quietly after the first check, and counted as nothing. */
+export function judgeQuietly(task: Task): void {
+  const { checked } = useTaskView.getState();
+  const { newest } = useOutcome.getState();
+  if (!checked || !isOfWork(newest) || newest.text === checked.answer.text) return;
+  useTaskView.setState({ live: judge(task, newest) });
+}
+
+const begun = new WeakMap<Task, Answer>();
+
+/** What the program of a task does as it was when the task began. */
+async function answerAtStart(task: Task): Promise<Answer | null> {
+  const known = begun.get(task);
+  if (known) return known;
+  const made = await outcomeBeside(asProgram(workOfTask(task)));
+  if (made) begun.set(task, made);
+  return made;
+}
+
+/** Holds what was foretold to the truth; null where that does not come. */
+export async function compareForetold(task: Task): Promise<readonly ComparedAnswer[] | null> {
+  const { work } = useEditor.getState();
+  const truth = await answerAtStart(task);
+  const now = useEditor.getState();
+  const { told = [], veiled = false } = taskOfWork(now) ?? {};
+  if (!truth || now.work !== work || veiled) return null;
+  const answers = compareTold(task, told, truth);
+  useTaskView.setState({ foretold: answers });
+  return answers;
+}
+
+/** What is known of the run is of another veil. */
+function runAnew(): void {
+  forgetOutcome();
+  calculateAgain();
+}
+
+/** Shows the run: everything was foretold. Where nothing else is asked that is the try. */
+export async function showRun(task: Task): Promise<void> {
+  changeTask(({ veiled: _, ...told }) => told);
+  runAnew();
+  // What is shown now is no change of what was hidden.
+  void presentAnswer().then(compareFromHere);
+  const answers = await compareForetold(task);
+  if (!answers || task.kind !== "predict") return;
+  noteTry(task.id);
+  if (areRight(answers, task)) notePass(task.id);
+}
+
+/** Asks once more what was foretold wrongly, with the run hidden again. */
+export function foretellAgain(): void {
+  const { foretold } = useTaskView.getState();
+  const isRight = (i: number) => foretold?.[i]?.right === true;
+  changeTask(({ id, file, told = [] }) => ({
+    id,
+    ...(file !== undefined && { file }),
+    veiled: true,
+    told: told.map((text, i) => (isRight(i) ? text : "")),
+  }));
+  const question = Math.max(0, foretold?.findIndex(({ right }) => !right) ?? 0);
+  useTaskView.setState({ foretold: null, checked: null, live: null, question });
+  runAnew();
+}

@@ -1,0 +1,127 @@
+import { askedWay } from "../../../course/judge/asked-way.ts";
+import type { Answer, TaskMark } from "../../../course/judge/judgement.ts";
+import type { Task } from "../../../course/task.ts";
+import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import type { Texts } from "../../../i18n/index.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { formatNumber, formatSigned } from "../../../i18n/number.ts";
+import { toDiameter } from "../../../kernel/units.ts";
+import { thicknessOf } from "../../../sim/extent.ts";
+import { issueText } from "../../../app/calculation/issue-text.ts";
+import { sizeGoal, toleranced, valueGoal } from "./goal-words.ts";
+
+/** Decimals of thicknesses: the second says no more of a place than the first. */
+const THICK = 2;
+/** From this share of a pitch on it is another one. */
+const OTHER_PITCH = 0.02;
+
+/** What the words of a mark are made of. */
+export interface MarkWording {
+  readonly t: CourseTaskTexts;
+  readonly texts: Texts;
+  readonly language: Language;
+  readonly task: Task;
+  readonly answer: Answer;
+}
+
+/** What a tool did when it made a mark: the block, and in a cycle the pass. */
+function causeOf({ block, step }: TaskMark, { t, answer: { run } }: MarkWording): string | null {
+  if (block === undefined) return null;
+  const move = step === undefined ? undefined : run.steps[step]?.move;
+  if (move?.phase === "finish") return t.where.finish(String(block));
+  return move?.pass === undefined ? t.where.block(String(block)) : t.where.pass(String(block), String(move.pass));
+}
+
+/** What was measured in place of a size or a surface of the drawing. */
+function measuredText({ rule, value, limit, size: entry }: TaskMark, { t, language, task }: Pick<MarkWording, "t" | "language" | "task">) {
+  const number = (n: number | undefined, decimals = 3) => (n === undefined ? "–" : formatNumber(language, n, decimals));
+  const { wrong } = t;
+  if (rule === "rz") return value === undefined ? wrong.noRz(number(limit)) : wrong.rz(number(value, 1), number(limit));
+  const size = task.sizes?.[entry ?? 0];
+  if (!size) return "";
+  return value === undefined ? wrong.noSize(sizeGoal(t, language, size)) : wrong.size[size.kind](number(value), toleranced(language, size));
+}
+
+/** The same with its place on the part. */
+export function placedText(mark: TaskMark, wording: Pick<MarkWording, "t" | "language" | "task">): string {
+  const said = measuredText(mark, wording);
+  return mark.place ? wording.t.where.at(said, ...placeWords(wording.language, mark.place)) : said;
+}
+
+/** What is wrong with a thread: that there is none, its pitch, or that it is not whole. */
+function threadText({ about, value = 0, limit }: TaskMark, { t: { wrong }, language }: Pick<MarkWording, "t" | "language">): string {
+  const name = String(about);
+  if (value === 0) return wrong.noThread(name);
+  const isOther = limit !== undefined && Math.abs(value - limit) > OTHER_PITCH * limit;
+  return isOther ? wrong.threadPitch(name, formatNumber(language, value, THICK), formatNumber(language, limit)) : wrong.thread(name);
+}
+
+function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording): string {
+  const { rule, value, limit, about, rings = [] } = mark;
+  const number = (n: number | undefined, decimals = 3) => (n === undefined ? "–" : formatNumber(language, n, decimals));
+  const { wrong } = t;
+  const thick = () => number(Math.max(thicknessOf(rings), 10 ** -THICK), THICK);
+  switch (rule) {
+    case "errors":
+    case "clean": {
+      const cycle = mark.operation === undefined ? null : (answer.run.operations[mark.operation]?.cycle ?? null);
+      const way = mark.issue && askedWay(mark.issue);
+      if (way) return wrong.turnedRound[way];
+      return mark.issue ? issueText(texts, language, mark.issue, cycle).replace(/[.。]$/, "") : wrong.gouge;
+    }
+    case "unproved":
+      return about === undefined ? wrong.unprovedMilling : wrong.unproved(String(about));
+    case "blank":
+    case "rapid":
+    case "holder":
+    case "gouge":
+      return wrong[rule];
+    case "missing":
+      return wrong.missing(thick());
+    case "residue":
+      if (about !== undefined) return threadText(mark, { t, language });
+      return mark.reason ? wrong.leftBy(wrong.residue(thick()), texts.messages.reasons[mark.reason]) : wrong.residue(thick());
+    case "size":
+    case "rz":
+      return measuredText(mark, { t, language, task });
+    case "speed":
+      return value === undefined ? wrong.noLimit(number(limit)) : wrong.speed(number(value, 0), number(limit));
+    case "depth":
+      return wrong.depth(number(value), number(limit));
+    case "seconds":
+      return wrong.seconds(number(value, 0), number(limit));
+    case "mostTools":
+      return wrong.mostTools(number(value), number(limit));
+    case "tools":
+    case "cycles":
+    case "without":
+    case "words":
+      return wrong[rule](String(about ?? ""));
+    case "values": {
+      const asked = task.rules.values?.[mark.entry ?? 0];
+      return value === undefined || !asked
+        ? wrong.noValue(mark.q ?? "")
+        : wrong.values(mark.q ?? "", number(value), valueGoal(t, language, asked));
+    }
+    case "passes":
+      return wrong.passes(value ?? 0, limit ?? 0);
+  }
+}
+
+/** ⌀ and Z of a place, as they stand in a sentence. */
+export const placeWords = (
+  language: Language,
+  { z, r }: NonNullable<TaskMark["place"]>,
+): readonly [string, string] => [formatNumber(language, toDiameter(r), THICK), formatSigned(language, z, THICK)];
+
+/** A sentence that has its own place already. */
+const SAYS_PLACE: ReadonlySet<string> = new Set(["errors", "clean"]);
+
+/** What is wrong, where on the part, and which step did it: "0.4 mm too much was cut at ⌀42, Z-18: block 22, pass 3". */
+export function markText(mark: TaskMark, wording: MarkWording): string {
+  const { t, language } = wording;
+  const said = what(mark, wording);
+  const placed = mark.place && !SAYS_PLACE.has(mark.rule) ? t.where.at(said, ...placeWords(language, mark.place)) : said;
+  const cause = causeOf(mark, wording);
+  return cause === null ? placed : t.where.because(placed, cause);
+}

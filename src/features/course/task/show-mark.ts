@@ -1,0 +1,44 @@
+import type { TaskMark } from "../../../course/judge/judgement.ts";
+import type { Run } from "../../../program/run-types.ts";
+import { choiceOf } from "../../../program/path-index.ts";
+import type { PlayPosition } from "../../../sim/simulation.ts";
+import { draftOf } from "../../../app/document/edits.ts";
+import { chooseFinding } from "../../../app/document/chosen.ts";
+import { showPrompt, usePlace } from "../../../app/place/place.ts";
+import { playback } from "../../../app/calculation/playback.ts";
+import { readJob } from "../../../app/document/reading.ts";
+import { chooseLine, choosePath } from "../../../app/pictures/selection.ts";
+import { useEditor } from "../../../app/document/store.ts";
+
+/** A cut is seen when it has been made, a rapid before it runs into the steel. */
+const SEEN = { cut: 0.999, rapid: 0 } as const;
+
+/** The moment at which a mark is to be seen: what stays, at the end. */
+export function momentOf({ rule, step }: TaskMark, { steps }: Run): PlayPosition {
+  if (rule === "residue" || step === undefined) return { step: steps.length, fraction: 0 };
+  return { step, fraction: rule === "rapid" || rule === "holder" ? SEEN.rapid : SEEN.cut };
+}
+
+/** Name of a mark among what can be looked at in the picture. */
+export const markId = (index: number): string => `task ${index}`;
+
+/** Goes to a mark: its block is marked in the program, the tool goes to its moment, the picture to its place. */
+export async function showMark(mark: TaskMark, index: number, run: Run): Promise<void> {
+  const { job, program, work } = useEditor.getState();
+  const choice = mark.step === undefined ? null : choiceOf(run, mark.step);
+  if (program && mark.block !== undefined) {
+    const { openNumbered } = await import("./open-numbered.ts");
+    if (useEditor.getState().work !== work) return;
+    openNumbered(mark.block, mark.q ?? null);
+  }
+  const read = job && readJob(job);
+  if (read && mark.q !== undefined && read.cycle.params[mark.q]) showPrompt(mark.q, draftOf(read.job)[mark.q] ?? "");
+  if (job && choice && mark.block !== undefined)
+    chooseLine(run, choice, { block: mark.block, q: mark.q ?? null, prompt: usePlace.getState().prompt });
+  else if (choice) choosePath(run, choice);
+  if (mark.step !== undefined) {
+    playback.dispatch({ do: "pause" });
+    playback.dispatch({ do: "seek", position: momentOf(mark, run) });
+  }
+  chooseFinding(mark.place ? markId(index) : null);
+}

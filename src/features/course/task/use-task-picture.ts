@@ -1,0 +1,117 @@
+import { useEffect, useMemo } from "react";
+import type { Answer, TaskMark } from "../../../course/judge/judgement.ts";
+import type { Task } from "../../../course/task.ts";
+import { answerKindOf, typedPlace, type ComparedAnswer } from "../../../course/told.ts";
+import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { formatFixed } from "../../../i18n/number.ts";
+import { at, type Pt, type Ring } from "../../../kernel/point.ts";
+import { axial, radius, toDiameter } from "../../../kernel/units.ts";
+import { useOutcome } from "../../../app/calculation/outcome.ts";
+import { boundsRound } from "../../../app/findings/spots.ts";
+import type { LookAt } from "../../../app/pictures/lathe/places.ts";
+import { useTold, type ToldPicture } from "../../../app/pictures/lathe/told.ts";
+import { useEditor } from "../../../app/document/store.ts";
+import { placeWords } from "./mark-words.ts";
+import { markId, momentOf } from "./show-mark.ts";
+import { useTaskView } from "./task-view.ts";
+import { setTold, taskOfWork } from "../../../app/document/work-task.ts";
+
+/** Decimals of a place that was pointed at, mm. */
+const POINTED = 1;
+const NO_RINGS: readonly Ring[] = [];
+const NO_TEXTS: readonly string[] = [];
+
+type Shown = Omit<LookAt, "issue">;
+const lookAt = (shown: Shown): LookAt => ({ ...shown, issue: null });
+
+/** The places of what is wrong, with the numbers that the list has. */
+export function markPlaces(marks: readonly TaskMark[], { run }: Answer, say: (mark: TaskMark) => string): readonly LookAt[] {
+  return marks.flatMap((mark, i) =>
+    mark.place
+      ? [lookAt({
+        id: markId(i),
+        kind: mark.rule === "residue" ? "residual" : "finding",
+        mark: String(i + 1),
+        place: mark.place,
+        bounds: boundsRound(mark.rings ?? NO_RINGS, mark.place),
+        line: say(mark),
+        position: momentOf(mark, run),
+      })]
+      : []
+  );
+}
+
+const START = { step: 0, fraction: 0 } as const;
+
+/** A told place as a mark in the picture. */
+const toldPlace = (place: Pt, question: number, line: string): LookAt =>
+  lookAt({ id: `told ${question}`, kind: "told", mark: "?", place, bounds: boundsRound(NO_RINGS, place), line, position: START });
+
+/** What was told and where it is, side by side. */
+function comparedPlaces(compared: readonly ComparedAnswer[], t: CourseTaskTexts): Omit<ToldPicture, "take"> {
+  const { shown } = useOutcome.getState();
+  const places = compared.flatMap(({ prediction, told, truth }, i): readonly LookAt[] => {
+    if (truth.kind !== "place") return [];
+    const said = told !== null && typeof told === "object" ? [toldPlace(told, i, t.foretell.yours)] : [];
+    if (!truth.place) return said;
+    const stays = prediction.ask === "residuePlace";
+    const found = shown?.simulation.findings.find(({ place }) => place.z === truth.place?.z && place.r === truth.place.r);
+    const position = found ? { step: found.step, fraction: prediction.ask === "rapidPlace" ? 0 : 1 } : null;
+    return [
+      ...said,
+      lookAt({
+        id: `truth ${i}`,
+        kind: stays ? "residual" : "finding",
+        mark: stays ? "A" : "1",
+        place: truth.place,
+        bounds: boundsRound(truth.rings, truth.place),
+        line: t.foretell.truth,
+        position: position ?? { step: shown?.run.steps.length ?? 0, fraction: 0 },
+      }),
+    ];
+  });
+  const rings = (stays: boolean) =>
+    compared.flatMap(({ prediction, truth }) =>
+      truth.kind === "place" && (prediction.ask === "residuePlace") === stays ? [...truth.rings] : []
+    );
+  return { places, missing: rings(false), left: rings(true) };
+}
+
+/** Shows in the picture what the panel tells: places that are told, the truth beside them, or what a check has found. */
+export function useTaskPicture(
+  task: Task,
+  t: CourseTaskTexts,
+  language: Language,
+  marks: readonly TaskMark[] | null,
+  say: (mark: TaskMark) => string,
+): void {
+  const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
+  const told = useEditor((s) => taskOfWork(s)?.told ?? NO_TEXTS);
+  const { checked, stale, foretold, question } = useTaskView();
+  const picture = useMemo((): ToldPicture | null => {
+    const predict = task.predict ?? [];
+    if (veiled) {
+      const asked = predict[question];
+      const take = (place: Pt) =>
+        setTold(question,
+          `${formatFixed(language, toDiameter(radius(Math.abs(place.r))), POINTED)} ${formatFixed(language, place.z, POINTED)}`);
+      const places = predict.flatMap((prediction, i) => {
+        const place = answerKindOf(prediction) === "place" ? typedPlace(told[i] ?? "") : null;
+        return place ? [toldPlace(place, i, t.where.at(t.foretell.yours, ...placeWords(language, place)))] : [];
+      });
+      const asks = asked !== undefined && answerKindOf(asked) === "place";
+      return { places, missing: NO_RINGS, left: NO_RINGS, take: asks ? ({ z, r }) => take(at(axial(z), radius(r))) : null };
+    }
+    if (marks && checked && !stale) {
+      const rings = (stays: boolean) => marks.flatMap(({ rule, rings: all = [] }) => ((rule === "residue") === stays ? [...all] : []));
+      return { places: markPlaces(marks, checked.answer, say), missing: rings(false), left: rings(true), take: null };
+    }
+    if (foretold?.some(({ truth }) => truth.kind === "place") && !checked) return { ...comparedPlaces(foretold, t), take: null };
+    return null;
+  }, [task, t, language, marks, say, veiled, told, question, checked, stale, foretold]);
+  useEffect(() => {
+    useTold.setState({ told: picture });
+    return () => useTold.setState({ told: null });
+  }, [picture]);
+}

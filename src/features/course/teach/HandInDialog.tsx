@@ -1,0 +1,91 @@
+import { useEffect, useState } from "react";
+import { progressOfTask, stateOfTask } from "../../../course/progress.ts";
+import type { HandedResult } from "../../../course/made/result.ts";
+import { downloadText } from "../../../app/base/download.ts";
+import { HandingDialog } from "../../../app/base/HandingDialog.tsx";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { useSettings } from "../../../app/base/settings/settings.ts";
+import { inScreenLanguage, useCourseIndex } from "../../../app/records/course/content.ts";
+import { useLearning } from "../../../app/records/course/progress.ts";
+import { handedResult } from "./hand-in.ts";
+import { LinkBox, pageAddress } from "./LinkBox.tsx";
+import { resultLink, taughtFile } from "./taught-files.ts";
+import { useTaught } from "../../../app/records/course/taught.ts";
+import { useTeachTexts } from "./use-teach-texts.ts";
+import { startWorkingTime } from "../../../app/records/course/working-time.ts";
+import { TeachText } from "./WordFields.tsx";
+import "./teach.css";
+
+/** A name as a part of a file's name. */
+const inFile = (name: string): string => name.trim().replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "").slice(0, 40) || "results";
+
+/** Gathers what was done in tasks, as a file or a link to hand on. */
+export function HandInDialog({ done }: { readonly done: () => void }) {
+  const t = useTeachTexts();
+  const language = useSettings((s) => s.language);
+  const progress = useLearning((s) => s.list);
+  const own = useTaught((s) => s.list);
+  const { lessons } = useCourseIndex();
+  const named = [
+    ...own.map(({ id, words }) => ({ id, title: inScreenLanguage(words, language)?.title ?? id })),
+    ...lessons.flatMap(({ tasks }) => tasks),
+  ];
+  const begun = named.filter(({ id }) => stateOfTask(progressOfTask(progress, id)) !== "new");
+  const [left, leave] = useState<readonly string[]>([]);
+  const [name, call] = useState("");
+  const [made, make] = useState<{ readonly key: string; readonly result: HandedResult } | null>(null);
+  const ids = begun.map(({ id }) => id).filter((id) => !left.includes(id)), key = ids.join(" ");
+  useEffect(startWorkingTime, []);
+  useEffect(() => {
+    let gone = false;
+    void handedResult(key.split(" ").filter((id) => id !== ""), "", progress, language).then((result) => {
+      if (!gone) make({ key, result });
+    });
+    return () => {
+      gone = true;
+    };
+  }, [key, progress, language]);
+  const result = made?.key === key ? { ...made.result, name: name.trim() } : null;
+  return (
+    <HandingDialog title={t.hand.title} done={done}>
+      <p>{t.hand.lead}</p>
+      <p>{t.hand.noProof}</p>
+      {begun.length === 0
+        ? (
+          <p className="field-message info">
+            <Icon name="info" /> {t.hand.none}
+          </p>
+        )
+        : (
+          <>
+            <TeachText label={t.hand.name} value={name} change={call} />
+            <div role="group" aria-label={t.hand.choose} className="teach-list">
+              {begun.map(({ id, title }) => (
+                <label key={id} className="teach-check">
+                  <input type="checkbox" checked={!left.includes(id)} onChange={() =>
+                    leave((now) => (now.includes(id)
+                      ? now.filter((each) => each !== id)
+                      : [...now, id])
+                    )} />
+                  {title}
+                </label>
+              ))}
+            </div>
+            {!result && <p role="status" className="soft">{t.hand.making}</p>}
+            {result && ids.length > 0 && (
+              <>
+                <div className="handing-ways">
+                  <button type="button" className="button primary" onClick={() =>
+                    downloadText(taughtFile(result), `${inFile(name)}.turnwise-result.json`)}
+                  >
+                    <Icon name="download" /> {t.hand.save}
+                  </button>
+                </div>
+                <LinkBox link={resultLink(pageAddress(), result)} />
+              </>
+            )}
+          </>
+        )}
+    </HandingDialog>
+  );
+}

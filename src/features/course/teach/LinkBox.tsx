@@ -1,0 +1,48 @@
+import { formatNumber } from "../../../i18n/number.ts";
+import { LONGEST_LINK, SAFE_LINK } from "../../../app/base/limits.ts";
+import { isHereOnly } from "../../../app/records/reach.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { copyText, useCopying } from "../../../app/findings/copy.ts";
+import { useSettings } from "../../../app/base/settings/settings.ts";
+import { useTeachTexts } from "./use-teach-texts.ts";
+import "../../../app/base/handing.css";
+
+/** The address of this page, without anything behind `#`. */
+export const pageAddress = (): string => location.href.replace(/[?#].*$/, "");
+
+/** A link to copy, with what keeps it from being opened where it goes. */
+export function LinkBox({ link, copies }: { readonly link: string; readonly copies?: () => void }) {
+  const t = useTeachTexts();
+  const language = useSettings((s) => s.language);
+  const copied = useCopying((c) => c.state === "copied" && c.text === link);
+  const isHere = isHereOnly(pageAddress()), isLong = link.length > SAFE_LINK;
+  if (link.length > LONGEST_LINK)
+    return (
+      <p className="field-message warning">
+        <Icon name="warning" /> {t.linkLong}
+      </p>
+    );
+  return (
+    <section className="handing-link" aria-label={t.link}>
+      <label>
+        <span>
+          {t.link} · <b className="number">{t.kilobytes(formatNumber(language, link.length / 1000, 1))}</b>
+        </span>
+        <textarea className="number" readOnly rows={2} value={link} onFocus={(event) => event.currentTarget.select()} />
+      </label>
+      {(isHere || isLong) && (
+        <p className="field-message warning">
+          <Icon name="warning" /> {isHere ? t.hereOnly : t.linkLong}
+        </p>
+      )}
+      <div className="handing-ways">
+        <button type="button" className="button primary" onClick={() => {
+          copies?.();
+          void copyText(link);
+        }}>
+          <Icon name={copied ? "check" : "copy"} /> {copied ? t.copied : t.copyLink}
+        </button>
+      </div>
+    </section>
+  );
+}

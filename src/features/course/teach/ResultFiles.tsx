@@ -1,0 +1,86 @@
+import { useState } from "react";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { undo, useSteps } from "../../../app/document/steps.ts";
+import { dropGathered } from "../../../app/records/course/gathered.ts";
+import { useProblemWords } from "./problem-words.ts";
+import { plainName, type LearnerFile, type ResultRow } from "../../../app/records/course/result-rows.ts";
+import type { FileLeftOut } from "../../../app/records/course/taught-shown.ts";
+import { useTeachTexts } from "./use-teach-texts.ts";
+
+/** Files that brought nothing, each with its reason. */
+export function LeftOut({ leftOut }: { readonly leftOut: readonly FileLeftOut[] }) {
+  const { results: words } = useTeachTexts();
+  const problemOf = useProblemWords();
+  return (
+    <ul role="status" className="taught-said">
+      {leftOut.map(({ file, why }, i) => {
+        const isProblem = why.kind !== "twice";
+        const reason = why.kind === "twice" || why.kind === "task" ? words.left[why.kind] : problemOf(why).join(" ");
+        return (
+          <li key={i} className={`field-message ${isProblem ? "warning" : "info"}`}>
+            <Icon name={isProblem ? "warning" : "info"} /> <span>{words.leftOut(file === "" ? words.aLink : file, reason)}</span>
+          </li>
+        );
+      })}
+    </ul>
+  );
+}
+
+interface FilesProps {
+  readonly files: readonly LearnerFile[];
+  readonly rows: readonly ResultRow[];
+  readonly day: (made: number) => string;
+}
+
+/** The files that the table is made of: what each brought, what of it counts, and the way to take it out again. */
+export function ResultFiles({ files, rows, day }: FilesProps) {
+  const t = useTeachTexts(), { results: words } = t;
+  const [gone, say] = useState<{ readonly file: string; readonly step: object | undefined } | null>(null);
+  const last = useSteps((s) => s.past.at(-1));
+  const drop = (each: LearnerFile | null) => {
+    dropGathered(each);
+    say({ file: each ? nameOf(each) : "", step: useSteps.getState().past.at(-1) });
+  };
+  const nameOf = ({ file }: LearnerFile) => (file === "" ? words.aLink : file);
+  return (
+    <div className="taught-files">
+      {files.length > 0 && (
+        <details>
+          <summary>{words.files(String(files.length))}</summary>
+          <ul className="taught-list">
+            {files.map((each, i) => {
+              const { name, made, tasks } = each.result, told = plainName(name) || words.noName;
+              const earlier = rows.filter((row) => row.earlier && row.key.startsWith(`${i} `)).length;
+              return (
+                <li key={i}>
+                  <span className="taught-name">
+                    <b>{nameOf(each)}</b> {words.fileHas(told, String(tasks.length), day(made))}
+                    {earlier > 0 && ` ${words.fileEarlier(String(earlier))}`}
+                  </span>
+                  <button type="button" className="button plain" aria-label={words.remove(nameOf(each))} onClick={() => drop(each)}>
+                    <Icon name="remove" />
+                  </button>
+                </li>
+              );
+            })}
+          </ul>
+          {files.length > 1 && (
+            <button type="button" className="button" onClick={() => drop(null)}>
+              <Icon name="remove" /> {words.removeAll}
+            </button>
+          )}
+        </details>
+      )}
+      <div role="status">
+        {gone && gone.step === last && (
+          <p className="field-message info taught-gone">
+            <span>{gone.file === "" ? words.allGone : words.gone(gone.file)}</span>
+            <button type="button" className="button" onClick={undo}>
+              <Icon name="undo" /> {t.own.undo}
+            </button>
+          </p>
+        )}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,39 @@
+import { openText } from "../../../app/fields/open/open-program.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { NUMBERS, type ResultColumn, type ResultRow } from "../../../app/records/course/result-rows.ts";
+import { leaveTaught } from "../../../app/records/course/taught-shown.ts";
+import { useTeachTexts } from "./use-teach-texts.ts";
+
+/** One task of one learner, with the way to its program. `waits`: it is being run. */
+export function ResultLine({ row: { result, earlier }, columns, text, waits }: { readonly row: ResultRow;
+  readonly columns: readonly ResultColumn[]; readonly text: Readonly<Record<ResultColumn, string>>; readonly waits: boolean })
+{
+  const { results: words } = useTeachTexts();
+  const { program } = result;
+  const cell = (column: ResultColumn) => (column === "made" && earlier ? `${text.made} · ${words.earlier}` : text[column]);
+  return (
+    <tr className={earlier ? "taught-earlier" : undefined}>
+      {columns.map((column) =>
+        column === "task"
+          ? <th key={column} scope="row">{text.task}</th>
+          : (
+            <td key={column} className={NUMBERS.includes(column) ? "number" : `taught-${column}`}
+              role={column === "again" && waits ? "status" : undefined}
+            >
+              {cell(column)}
+            </td>
+          )
+      )}
+      <td className="taught-open">
+        {program !== null && (
+          <button type="button" className="button" aria-label={words.open(result.title)} onClick={() => {
+            leaveTaught();
+            openText(program);
+          }}>
+            <Icon name="fold" />
+          </button>
+        )}
+      </td>
+    </tr>
+  );
+}

@@ -1,0 +1,89 @@
+import { useEffect } from "react";
+import { formatNumber } from "../../../i18n/number.ts";
+import { blankOfLines } from "../../../course/wanted-part.ts";
+import { boxAround } from "../../../kernel/box.ts";
+import { toDiameter, radius } from "../../../kernel/units.ts";
+import { HandingDialog } from "../../../app/base/HandingDialog.tsx";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { useSettings } from "../../../app/base/settings/settings.ts";
+import { inScreenLanguage } from "../../../app/records/course/content.ts";
+import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
+import { beginTask } from "../task/begin.ts";
+import { ResultView } from "./ResultView.tsx";
+import { keepTask, startTaught, useTaught } from "../../../app/records/course/taught.ts";
+import { taughtFile } from "./taught-files.ts";
+import { TaughtProblemView } from "./TaughtProblemView.tsx";
+import { leaveTaught, useTaughtShown } from "../../../app/records/course/taught-shown.ts";
+import { useTeachTexts } from "./use-teach-texts.ts";
+import type { Task } from "../../../course/task.ts";
+import "./teach.css";
+
+/** Most fields that are named at once. */
+const MOST_LEFT = 12;
+
+/** What came from outside: a task, before it is kept or begun; or results that a learner handed in. */
+export function TaughtDialog() {
+  const shown = useTaughtShown((s) => s.shown);
+  useEffect(startTaught, []);
+  switch (shown?.kind) {
+    case "task":
+      return <IncomingTask task={shown.task} left={shown.left} />;
+    case "results":
+      return <ResultView leftOut={shown.leftOut} />;
+    case "problem":
+      return <TaughtProblemView file={shown.file} problem={shown.problem} />;
+    case undefined:
+      return null;
+  }
+}
+
+function IncomingTask({ task, left }: { readonly task: Task; readonly left: readonly string[] }) {
+  const t = useTeachTexts();
+  const language = useSettings((s) => s.language);
+  const isHere = useTaught((s) => s.list.some((each) => JSON.stringify(each) === JSON.stringify(task)));
+  const words = inScreenLanguage(task.words, language);
+  const number = (value: number) => formatNumber(language, value);
+  const blank = task.part && boxAround([...blankOfLines(task.part.blank).rings]);
+  const facts: readonly (readonly [keyof typeof t.incoming.facts, string])[] = [
+    ["kind", t.kinds[task.kind]],
+    ...(blank ? [["blank", `⌀${number(toDiameter(radius(blank.high)))} × ${number(blank.right - blank.left)}`] as const] : []),
+    ["tools", task.rules.tools?.join(", ") ?? t.incoming.anyTools],
+    ["size", t.kilobytes(formatNumber(language, taughtFile(task).length / 1000, 1))],
+  ];
+  const take = async () => {
+    keepTask(task);
+    leaveTaught();
+    await beginTask(task, true);
+  };
+  return (
+    <HandingDialog title={t.incoming.title(words?.title ?? task.id)} done={leaveTaught}>
+      <p>{t.incoming.lead}</p>
+      {isHere && <p className="field-message info">{t.incoming.isHere}</p>}
+      {left.length > 0 && (
+        <p className="field-message warning">
+          <Icon name="warning" /> <span>{t.problem.leftOut(left.slice(0, MOST_LEFT).join(", "))}</span>
+        </p>
+      )}
+      {words && <p className="taught-ask">{words.ask}</p>}
+      <dl className="handing-facts">
+        {facts.map(([fact, value]) => (
+          <div key={fact}>
+            <dt>{t.incoming.facts[fact]}</dt>
+            <dd>{value}</dd>
+          </div>
+        ))}
+      </dl>
+      <div className="handing-ways">
+        <button type="button" className="button primary handing-first" onClick={() => void take()}>{t.incoming.take}</button>
+        <button type="button" className="button" onClick={() => {
+          keepTask(task);
+          leaveTaught();
+        }}>
+          {t.incoming.keep}
+        </button>
+        <button type="button" className="button" onClick={leaveTaught}>{t.incoming.not}</button>
+      </div>
+      {task.part && <WorkshopDrawing task={task} language={language} />}
+    </HandingDialog>
+  );
+}

@@ -1,0 +1,24 @@
+import { HandingDialog } from "../../../app/base/HandingDialog.tsx";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { useProblemWords } from "./problem-words.ts";
+import type { TaughtProblem } from "./taught-files.ts";
+import { leaveTaught } from "../../../app/records/course/taught-shown.ts";
+import { useTeachTexts } from "./use-teach-texts.ts";
+
+/** Why a file or a link opens nothing: of a task that was written by hand, field by field. */
+export function TaughtProblemView({ file, problem }: { readonly file: string; readonly problem: TaughtProblem }) {
+  const t = useTeachTexts(), { problem: words } = t;
+  const [why = "", ...faults] = useProblemWords()(problem);
+  return (
+    <HandingDialog title={file === "" ? words.link : words.file(file)} done={leaveTaught}>
+      <p role="alert" className="field-message warning">
+        <Icon name="warning" /> <span>{why}</span>
+      </p>
+      {faults.length > 0 && <ul className="taught-faults">{faults.map((each, i) => <li key={i}>{each}</li>)}</ul>}
+      <p className="soft">{words.asBefore}</p>
+      <div className="handing-ways">
+        <button type="button" className="button primary handing-first" onClick={leaveTaught}>{t.close}</button>
+      </div>
+    </HandingDialog>
+  );
+}

@@ -1,0 +1,103 @@
+import { Suspense, useEffect, useState } from "react";
+import { progressOfTask, stateOfTask } from "../../../course/progress.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { lazyPart } from "../../../app/base/parts.ts";
+import { useSettings } from "../../../app/base/settings/settings.ts";
+import { inScreenLanguage } from "../../../app/records/course/content.ts";
+import { useLearning } from "../../../app/records/course/progress.ts";
+import { TaskStateMark } from "../TaskStateMark.tsx";
+import { beginTask } from "../task/begin.ts";
+import { textOfTask } from "../../../course/made/form-of-task.ts";
+import type { Task } from "../../../course/task.ts";
+import { undo, useSteps } from "../../../app/document/steps.ts";
+import { showResults } from "../../../app/records/course/taught-shown.ts";
+import { copyTask, removeTask, startTaught, useTaught } from "../../../app/records/course/taught.ts";
+import { useTeachTextsSoon } from "./use-teach-texts.ts";
+import "./teach.css";
+
+const TeachDialog = lazyPart(async () => ({ default: (await import("./TeachDialog.tsx")).TeachDialog }));
+const HandInDialog = lazyPart(async () => ({ default: (await import("./HandInDialog.tsx")).HandInDialog }));
+
+/** The tasks that came from outside, below the lessons, and the way to hand in what was done. */
+export function TaughtTasks() {
+  const t = useTeachTextsSoon();
+  const language = useSettings((s) => s.language);
+  const { list, trouble } = useTaught();
+  const learning = useLearning((s) => s.list);
+  const [hands, handIn] = useState(false);
+  const [changed, change] = useState<Task | null>(null);
+  const [gone, say] = useState<{ readonly title: string; readonly step: object | undefined } | null>(null);
+  const last = useSteps((s) => s.past.at(-1));
+  useEffect(startTaught, []);
+  if (!t) return null;
+  return (
+    <section className="taught" aria-label={t.own.title}>
+      {(list.length > 0 || trouble !== "none") && <h2>{t.own.title}</h2>}
+      {trouble !== "none" && (
+        <p className="field-message warning">
+          <Icon name="warning" /> {t.own[trouble]}
+        </p>
+      )}
+      {list.length > 0 && (
+        <ul className="taught-list">
+          {list.map((task) => {
+            const title = inScreenLanguage(task.words, language)?.title ?? task.id;
+            return (
+              <li key={task.id}>
+                <span className="taught-name">{title}</span>
+                <TaskStateMark state={stateOfTask(progressOfTask(learning, task.id))} />
+                <button type="button" className="button" aria-label={t.own.begin(title)} onClick={() => void beginTask(task, true)}>
+                  <Icon name="play" />
+                </button>
+                {textOfTask(task) !== null && (
+                  <button type="button" className="button plain" aria-haspopup="dialog" aria-label={t.own.edit(title)} onClick={() =>
+                    change(task)}
+                  >
+                    <Icon name="rename" />
+                  </button>
+                )}
+                <button type="button" className="button plain" aria-label={t.own.copy(title)} onClick={() => copyTask(task, t.own.copyOf)}>
+                  <Icon name="copy" />
+                </button>
+                <button type="button" className="button plain" aria-label={t.own.remove(title)} onClick={() => {
+                  removeTask(task.id);
+                  say({ title, step: useSteps.getState().past.at(-1) });
+                }}>
+                  <Icon name="remove" />
+                </button>
+              </li>
+            );
+          })}
+        </ul>
+      )}
+      <div role="status">
+        {gone && gone.step === last && (
+          <p className="field-message info taught-gone">
+            <span>{t.own.removed(gone.title)}</span>
+            <button type="button" className="button" onClick={undo}>
+              <Icon name="undo" /> {t.own.undo}
+            </button>
+          </p>
+        )}
+      </div>
+      <div className="handing-ways">
+        <button type="button" className="button" aria-haspopup="dialog" onClick={() => handIn(true)}>
+          <Icon name="share" /> {t.hand.open}
+        </button>
+        <button type="button" className="button" aria-haspopup="dialog" onClick={() => showResults()}>
+          <Icon name="compare" /> {t.results.collect}
+        </button>
+      </div>
+      {changed && (
+        <Suspense>
+          <TeachDialog task={changed} done={() => change(null)} />
+        </Suspense>
+      )}
+      {hands && (
+        <Suspense>
+          <HandInDialog done={() => handIn(false)} />
+        </Suspense>
+      )}
+    </section>
+  );
+}

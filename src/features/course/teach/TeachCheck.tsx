@@ -1,0 +1,132 @@
+import { useEffect } from "react";
+import { formatNumber } from "../../../i18n/number.ts";
+import type { TaskJudgement, TaskMark } from "../../../course/judge/judgement.ts";
+import type { MadeFault } from "../../../course/made/made-task.ts";
+import type { Task } from "../../../course/task.ts";
+import { downloadText } from "../../../app/base/download.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { useSettings } from "../../../app/base/settings/settings.ts";
+import { beginTaskAnew } from "../task/begin.ts";
+import { LinkBox, pageAddress } from "./LinkBox.tsx";
+import { forgetForm } from "../../../app/records/course/kept-form.ts";
+import { keepTask, startTaught, useTaught } from "../../../app/records/course/taught.ts";
+import { taskLink, taughtFile } from "./taught-files.ts";
+import { useTeachTexts } from "./use-teach-texts.ts";
+
+/** Most marks that are told at once. */
+const MOST_TOLD = 6;
+
+/**
+ * Whether the answer passes its own task; then it is tried and handed out. What goes out is kept here too, so that answers to it can be run
+ * when they come back.
+ */
+export function TeachCheck({ task, judged, isIdle, foretells, lacking, formKey, isChange, done }: {
+  readonly task: Task | readonly MadeFault[];
+  readonly judged: TaskJudgement | null;
+  readonly isIdle: boolean;
+  /** It only asks questions: there is no answer to judge. */
+  readonly foretells: boolean;
+  /** Numbers, from 1, of questions that are not whole, and of those that ask for something that is not there. */
+  readonly lacking: Readonly<Record<"questions" | "truth", readonly number[]>>;
+  /** What the form is kept under, and whether it changes a kept task. */
+  readonly formKey: string;
+  readonly isChange: boolean;
+  readonly done: () => void;
+}) {
+  const t = useTeachTexts();
+  useEffect(startTaught, []);
+  const lacks = lacking.truth.length > 0;
+  const faults = "length" in task ? [...task, ...(lacks ? ["truth" as const] : [])] : lacks ? ["truth" as const] : null;
+  const whole = "length" in task || lacks ? null : task;
+  const isKept = useTaught((s) => whole !== null && s.list.some((each) => JSON.stringify(each) === JSON.stringify(whole)));
+  const wrong = judged?.marks.filter(({ passed }) => !passed) ?? [];
+  const ready = whole && (foretells || (judged?.passed && !isIdle)) ? whole : null;
+  /** A changed task that is kept needs no form any more: it is filled in from the task again. */
+  const keep = (kept: Task) => {
+    keepTask(kept);
+    if (isChange) forgetForm(formKey);
+  };
+  return (
+    <section className="teach-checked" aria-label={t.check}>
+      <h3>{t.check}</h3>
+      <div role="status" className="teach-status">
+        {faults && (
+          <ul>
+            {faults.map((fault) => (
+              <li key={fault}>
+                <Icon name="info" /> {(fault === "questions" || fault === "truth") && (
+                  <b>{lacking[fault].map((number) => t.question(String(number))).join(", ")}:</b>
+                )} {t.needs[fault]}
+              </li>
+            ))}
+          </ul>
+        )}
+        {foretells && ready && (
+          <p className="teach-good">
+            <Icon name="check" /> {t.foretells}
+          </p>
+        )}
+        {judged?.passed && !isIdle && !lacks && (
+          <p className="teach-good">
+            <Icon name="check" /> {t.passes}
+          </p>
+        )}
+        {judged?.passed && isIdle && (
+          <p>
+            <Icon name="warning" /> {t.idle}
+          </p>
+        )}
+        {wrong.length > 0 && (
+          <>
+            <p className="teach-bad">
+              <Icon name="error" /> {t.refused}
+            </p>
+            <ul>{wrong.slice(0, MOST_TOLD).map((mark, i) => <Told key={i} mark={mark} />)}</ul>
+          </>
+        )}
+      </div>
+      <div className="handing-ways">
+        <button type="button" className="button" disabled={!ready} onClick={() => {
+          if (!ready) return;
+          done();
+          keep(ready);
+          beginTaskAnew(ready, true);
+        }}>
+          <Icon name="play" /> {t.tryIt}
+        </button>
+        <button type="button" className="button" disabled={!ready || isKept} onClick={() => ready && keep(ready)}>
+          <Icon name="check" /> {isChange ? t.save : t.keepIt}
+        </button>
+      </div>
+      {isKept && <p className="soft">{t.keptNow}</p>}
+      {ready && <HandOut task={ready} keep={() => keep(ready)} />}
+    </section>
+  );
+}
+
+function Told({ mark: { rule, value, limit, block } }: { readonly mark: TaskMark }) {
+  const t = useTeachTexts();
+  const language = useSettings((s) => s.language);
+  const number = (n: number | undefined) => (n === undefined ? "" : formatNumber(language, n));
+  const where = block === undefined ? "" : t.inBlock(String(block));
+  const value0 = [number(value), where].filter((part) => part !== "").join(", ");
+  return <li>{value0 === "" && limit === undefined ? t.judged[rule] : t.mark(t.judged[rule], value0, number(limit))}</li>;
+}
+
+function HandOut({ task, keep }: { readonly task: Task; readonly keep: () => void }) {
+  const t = useTeachTexts();
+  return (
+    <>
+      <h3>{t.handOut}</h3>
+      <LinkBox link={taskLink(pageAddress(), task)} copies={keep} />
+      <div className="handing-ways">
+        <button type="button" className="button" onClick={() => {
+          keep();
+          downloadText(taughtFile(task), `${task.id}.turnwise-task.json`);
+        }}>
+          <Icon name="download" /> {t.saveTask}
+        </button>
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,101 @@
+import { useEffect, useRef, useState } from "react";
+import { answerOf } from "../../../course/judge/answer.ts";
+import type { Answer } from "../../../course/judge/judgement.ts";
+import { formOfTask, languageOfTask, sizesOfBoth, textOfTask } from "../../../course/made/form-of-task.ts";
+import { formWithSign, type MadeTask } from "../../../course/made/made-form.ts";
+import { partOfMade, proposedTask } from "../../../course/made/made-task.ts";
+import type { Task } from "../../../course/task.ts";
+import { wantedPart } from "../../../course/wanted-part.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { useEditor } from "../../../app/document/store.ts";
+import { decimalSign } from "../../../i18n/number.ts";
+import { usualTable } from "../../../program/cutting-table.ts";
+import { fingerprint } from "../../../app/records/difference.ts";
+import { useSettings } from "../../../app/base/settings/settings.ts";
+import { useModal } from "../../../app/base/use-modal.ts";
+import { inScreenLanguage } from "../../../app/records/course/content.ts";
+import { keptForm, keyOfTask, keyOfWork, startForms } from "../../../app/records/course/kept-form.ts";
+import { sizeChoices } from "./size-choices.ts";
+import { TeachForm, type BegunForm } from "./TeachForm.tsx";
+import { useTeachTexts } from "./use-teach-texts.ts";
+import "./teach.css";
+
+/** What a form is made of: the program of a work, or a task that is kept. */
+export type TeachSource = { readonly text: string; readonly work: string } | { readonly task: Task };
+
+/** Whether a program makes a part, which can be asked for, and from which block on it mills; null where it does not. */
+const makesPart = ({ run }: Answer): boolean => run.blank.length > 0 && run.steps.length > 0;
+const milledFrom = ({ run }: Answer): number | null => run.plane.find(({ kind }) => kind !== "rapid")?.block ?? null;
+
+/** The material that the open work says it is turned from, where it is one of the shipped list. */
+function openMaterial(): MadeTask["material"] {
+  const { job, program } = useEditor.getState(), open = (job ?? program)?.material;
+  return usualTable.materials.find(({ id }) => id === open)?.id ?? null;
+}
+
+function begunForm(source: TeachSource, screen: ReturnType<typeof useSettings.getState>["language"]): BegunForm | null {
+  startForms();
+  const base = "task" in source ? source.task : null, text = "task" in source ? textOfTask(source.task) : source.text;
+  if (text === null) return null;
+  const answer = answerOf(text), isPart = makesPart(answer), milled = milledFrom(answer);
+  if (!isPart && milled === null && !base) return null;
+  const keptAs = "task" in source ? keyOfTask(source.task.id) : keyOfWork(source.work), print = fingerprint(text);
+  const language = base ? languageOfTask(base, screen) : screen, kept = keptForm(keptAs);
+  const only: Partial<MadeTask> = isPart ? {} : { kind: "predict", start: "program" };
+  const form = kept?.form
+    ?? { ...(base ? formOfTask(base, text, answer, language) : { ...proposedTask(answer), material: openMaterial() }), ...only };
+  const sizes = sizesOfBoth(form.sizes, sizeChoices(wantedPart(partOfMade(form))));
+  return {
+    text,
+    answer,
+    base,
+    keptAs,
+    print,
+    language,
+    isPart,
+    milled,
+    first: kept ? form : formWithSign({ ...form, sizes }, decimalSign(screen)),
+    keptPrint: kept?.print ?? print,
+  };
+}
+
+/** Runs the program once the dialog is painted; null until then, "none" where nothing can be made of it. */
+function useBegun(source: TeachSource): BegunForm | "none" | null {
+  const [begun, begin] = useState<BegunForm | "none" | null>(null);
+  const [first] = useState(source);
+  useEffect(() => {
+    const timer = setTimeout(() => begin(begunForm(first, useSettings.getState().language) ?? "none"));
+    return () => clearTimeout(timer);
+  }, [first]);
+  return begun;
+}
+
+/** The form that makes a task of a program, or changes one: filled in from it, checked while it is typed, tried and handed out. */
+export function TeachDialog({ done, ...source }: TeachSource & { readonly done: () => void }) {
+  const t = useTeachTexts();
+  const screen = useSettings((s) => s.language);
+  const begun = useBegun(source);
+  const dialog = useRef<HTMLDialogElement>(null);
+  useModal(dialog);
+  const name = "task" in source ? inScreenLanguage(source.task.words, screen)?.title ?? source.task.id : null;
+  const title = name === null ? t.title : t.titleOf(name);
+  return (
+    <dialog ref={dialog} className="teach" aria-label={title}
+      onClose={(event) => event.target === dialog.current && !dialog.current.open && done()} onKeyDown={(event) => event.stopPropagation()}
+    >
+      <div className="teach-head">
+        <h2>{title}</h2>
+        <button type="button" className="button icon plain" aria-label={t.close} onClick={() => dialog.current?.close()}>
+          <Icon name="close" />
+        </button>
+      </div>
+      {!begun && <p role="status" className="soft">{t.working}</p>}
+      {begun === "none" && (
+        <p className="field-message warning">
+          <Icon name="warning" /> {t.noPart}
+        </p>
+      )}
+      {begun && begun !== "none" && <TeachForm {...begun} done={() => dialog.current?.close()} />}
+    </dialog>
+  );
+}

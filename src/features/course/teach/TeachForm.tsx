@@ -1,0 +1,187 @@
+import { useDeferredValue, useMemo, useState } from "react";
+import { answerOf } from "../../../course/judge/answer.ts";
+import { judge } from "../../../course/judge/judge.ts";
+import type { Answer } from "../../../course/judge/judgement.ts";
+import { editedTask, type TaskLanguage } from "../../../course/made/form-of-task.ts";
+import { formWithSign, type MadeTask } from "../../../course/made/made-form.ts";
+import { isThere, isWhole, truthsOf } from "../../../course/made/made-questions.ts";
+import { asksBefore, begunOfMade, linesOfText, partOfMade, proposedTask, taskOfMade, wantsPart } from "../../../course/made/made-task.ts";
+import type { Task } from "../../../course/task.ts";
+import { wantedPart } from "../../../course/wanted-part.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { decimalSign } from "../../../i18n/number.ts";
+import { useSettings } from "../../../app/base/settings/settings.ts";
+import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
+import { keepForm, useForms } from "../../../app/records/course/kept-form.ts";
+import { PartFields } from "./PartFields.tsx";
+import { QuestionFields } from "./QuestionFields.tsx";
+import { QuestionPreview } from "./QuestionPreview.tsx";
+import { RuleFields } from "./RuleFields.tsx";
+import { sizeChoices } from "./size-choices.ts";
+import { SizeFields } from "./SizeFields.tsx";
+import { StartFields } from "./StartFields.tsx";
+import { TeachCheck } from "./TeachCheck.tsx";
+import { ThreadFields } from "./ThreadFields.tsx";
+import { ToolFields } from "./ToolFields.tsx";
+import { useTeachTexts } from "./use-teach-texts.ts";
+import { WordFields } from "./WordFields.tsx";
+
+/** The answer with its form, as it was left or as it is proposed. */
+export interface BegunForm {
+  readonly text: string;
+  readonly answer: Answer;
+  readonly first: MadeTask;
+  /** The task that is changed; null where a new one is made. */
+  readonly base: Task | null;
+  /** What the form is kept under, the mark of the program, and that of the program which it was filled in from. */
+  readonly keptAs: string;
+  readonly print: string;
+  readonly keptPrint: string;
+  readonly language: TaskLanguage;
+  readonly isPart: boolean;
+  /** The first block that mills. */
+  readonly milled: number | null;
+}
+
+const NO_QUESTIONS: MadeTask["questions"] = [];
+const KINDS = ["make", "fault", "predict", "drawing"] as const;
+
+/** What the program proposes in place of what was taken from another one; what the instructor decided stays. */
+function proposedAnew(made: MadeTask, answer: Answer, sign: string): MadeTask {
+  const fresh = formWithSign(proposedTask(answer), sign), { blank, outside, bore, threads } = fresh;
+  const rules = Object.fromEntries(
+    Object.entries(fresh.rules).map(([name, { text }]) => [name, { on: made.rules[name as keyof MadeTask["rules"]].on, text }]),
+  ) as MadeTask["rules"];
+  const prompts = answer.run.operations.length > made.prompts.operation ? made.prompts : fresh.prompts;
+  return { ...made, blank, outside, bore, threads, rules, prompts, sizes: sizeChoices(wantedPart(partOfMade(fresh))) };
+}
+
+/** Numbers, from 1, of those in a list that something holds for. */
+const numbered = <T,>(list: readonly T[], holds: (each: T) => boolean): readonly number[] =>
+  list.flatMap((each, i) => (holds(each) ? [i + 1] : []));
+
+/** What is told of a form as it stands: the task, how its answer is judged, and what is true of its questions. */
+function useChecked(settled: MadeTask, { answer, base, language, print }: BegunForm) {
+  const mark = print.split(" ").at(1) ?? "";
+  const task = useMemo(() => (base ? editedTask(base, settled, answer, language) : taskOfMade(settled, answer, language, mark)), [
+    base,
+    settled,
+    answer,
+    language,
+    mark,
+  ]);
+  const begins = useMemo(() => begunOfMade(settled, answer), [settled, answer]);
+  const begun = useMemo(() => {
+    if (begins === null) return null;
+    return linesOfText(begins).join("\n") === linesOfText(answer.text).join("\n") ? answer : answerOf(begins);
+  }, [begins, answer]);
+  const questions = asksBefore(settled.kind) ? settled.questions : NO_QUESTIONS;
+  const truths = useMemo(() => (begun ? truthsOf(questions, wantsPart(settled) ? { part: partOfMade(settled) } : {}, begun) : []), [
+    questions,
+    settled,
+    begun,
+  ]);
+  const foretells = settled.kind === "predict";
+  const judged = useMemo(() => ("length" in task || foretells ? null : judge(task, answer)), [task, answer, foretells]);
+  const isIdle = useMemo(() => begun !== null && !foretells && !("length" in task) && judge(task, begun).passed, [begun, foretells, task]);
+  const lacking = useMemo(() => ({
+    questions: numbered(questions, (each) => !isWhole(each)),
+    truth: numbered(truths, (truth) => begun !== null && truth !== null && !isThere(truth, begun)),
+  }), [questions, truths, begun]);
+  return { mark, task, begun, questions, truths, judged, isIdle, lacking };
+}
+
+export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => void }) {
+  const t = useTeachTexts();
+  const { answer, base, first, keptAs, print, isPart, milled, text } = of;
+  const screen = useSettings((s) => s.language);
+  const isKept = useForms((s) => s.isKept);
+  const [made, set] = useState(first);
+  const [filledFrom, fill] = useState(of.keptPrint);
+  const [past, remember] = useState<readonly { readonly made: MadeTask; readonly filledFrom: string }[]>([]);
+  const put = (next: MadeTask, from = filledFrom) => {
+    set(next);
+    fill(from);
+    keepForm(keptAs, next, from);
+  };
+  const step = () => remember((all) => [...all, { made, filledFrom }]);
+  const change = (some: Partial<MadeTask>, isStep = false) => {
+    if (isStep) step();
+    put({ ...made, ...some });
+  };
+  const settled = useDeferredValue(made);
+  const { mark, task, begun, questions, truths, judged, isIdle, lacking } = useChecked(settled, of);
+  const drawn = useMemo(() => ({
+    id: "length" in task ? mark : task.id,
+    part: partOfMade(settled),
+    ...(settled.material !== null && { material: settled.material }),
+    sizes: settled.sizes.filter(({ on }) => on).map(({ upper, lower, kind, at, nominal }) => ({
+      kind,
+      at,
+      nominal,
+      upper: Number(upper.replace(",", ".")) || 0,
+      lower: Number(lower.replace(",", ".")) || 0,
+    })),
+    rules: "length" in task ? {} : task.rules,
+    words: { [screen]: { title: settled.words.title || t.part, ask: "", hints: ["", "", ""] as [string, string, string] } },
+  }), [task, settled, screen, mark, t]);
+  const last = past.at(-1), foretells = made.kind === "predict";
+  const form = { made, change };
+  return (
+    <div className="teach-form">
+      <div className="teach-fields">
+        <p className="soft">{!foretells && t.lead} {isKept && t.keptForm}</p>
+        {!isKept && <Warned>{t.formNotKept}</Warned>}
+        {milled !== null && <Warned>{isPart ? t.milled(String(milled)) : t.milledOnly}</Warned>}
+        {(filledFrom !== print || last) && (
+          <div className="field-message info teach-changed">
+            {filledFrom !== print && <span>{t.changedSince}</span>}
+            {filledFrom !== print && (
+              <button type="button" className="button" onClick={() => {
+                step();
+                put(proposedAnew(made, answer, decimalSign(screen)), print);
+              }}>
+                {t.proposeAnew}
+              </button>
+            )}
+            {last && (
+              <button type="button" className="button" onClick={() => {
+                remember(past.slice(0, -1));
+                put(last.made, last.filledFrom);
+              }}>
+                <Icon name="undo" /> {t.takeBack}
+              </button>
+            )}
+          </div>
+        )}
+        <WordFields {...form} kinds={isPart ? KINDS : ["predict"]} />
+        {foretells && <StartFields {...form} answer={answer} />}
+        {asksBefore(made.kind) && <QuestionFields {...form} begun={begun} solution={text} truths={truths} />}
+        {!foretells && (
+          <>
+            <PartFields {...form} answer={answer} />
+            <ThreadFields {...form} answer={answer} />
+            <SizeFields {...form} />
+            <ToolFields {...form} answer={answer} />
+            <RuleFields {...form} />
+            <StartFields {...form} answer={answer} />
+          </>
+        )}
+      </div>
+      <div className="teach-shown">
+        {!foretells && <WorkshopDrawing task={drawn} language={screen} />}
+        {questions.length > 0 && begun && <QuestionPreview questions={questions} truths={truths} begun={begun} />}
+        <TeachCheck task={task} judged={judged} isIdle={isIdle} foretells={foretells} lacking={lacking} formKey={keptAs}
+          isChange={base !== null} done={done} />
+      </div>
+    </div>
+  );
+}
+
+function Warned({ children }: { readonly children: string }) {
+  return (
+    <p className="field-message warning">
+      <Icon name="warning" /> {children}
+    </p>
+  );
+}

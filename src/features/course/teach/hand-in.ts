@@ -1,0 +1,86 @@
+import { judge } from "../../../course/judge/judge.ts";
+import { RESULT_FORMAT, type HandedResult, type TaskResult } from "../../../course/made/result.ts";
+import { progressOfTask, type CourseProgress } from "../../../course/progress.ts";
+import type { Task } from "../../../course/task.ts";
+import type { Language } from "../../../i18n/languages.ts";
+import { shippedList } from "../../../program/tool-list.ts";
+import { time } from "../../../app/base/clock.ts";
+import { outcomeBeside } from "../../../app/calculation/beside.ts";
+import { printedText } from "../../../app/document/printed.ts";
+import { readWork } from "../../../app/records/device.ts";
+import { refreshWorks } from "../../../app/records/keep.ts";
+import { isProgram } from "../../../app/document/work.ts";
+import { fetchTask, inScreenLanguage } from "../../../app/records/course/content.ts";
+import { keptOfTask } from "../task/begin.ts";
+import type { Again } from "../../../app/records/course/result-rows.ts";
+import { startTaught, useTaught } from "../../../app/records/course/taught.ts";
+import { countWork, workedIn } from "../../../app/records/course/working-time.ts";
+
+/** A task by its id: one that was handed out, or one of the course; null where this device has none. */
+export async function taskOfId(id: string): Promise<Task | null> {
+  startTaught();
+  return useTaught.getState().list.find((task) => task.id === id) ?? fetchTask(id);
+}
+
+/** What a program comes to in a task, run as every device runs it, beside the page; null where that cannot be said. */
+export async function verdictHere(task: Task, program: string): Promise<TaskResult["verdict"]> {
+  const answer = await outcomeBeside({ name: `${task.id}.h`, text: program, encoding: "utf-8", tools: shippedList }, null);
+  if (!answer) return null;
+  const { passed, marks } = judge(task, answer);
+  return { passed, refused: [...new Set(marks.filter((mark) => !mark.passed).map(({ rule }) => rule))] };
+}
+
+/** What a result that was handed in comes to on this device, with the task as it has it. */
+export async function runAgain({ id, program }: TaskResult): Promise<Again> {
+  const task = await taskOfId(id);
+  if (task?.kind === "predict") return "foretold";
+  if (program === null) return "none";
+  if (!task) return "unknown";
+  const verdict = await verdictHere(task, program);
+  if (!verdict) return "stopped";
+  return verdict.passed ? "passes" : "fails";
+}
+
+/** The last program that was made in a task on this device. */
+async function lastProgram(id: string): Promise<string | null> {
+  const work = keptOfTask(id), kept = work === undefined ? null : await readWork(work);
+  if (!kept) return null;
+  return isProgram(kept.job) ? kept.job.text : printedText(kept.job);
+}
+
+const SECOND = 1000;
+
+/** How one task went. */
+export async function resultOf(id: string, progress: CourseProgress, language: Language): Promise<TaskResult> {
+  const task = await taskOfId(id), program = await lastProgram(id);
+  const { tries, hints, solution, passed, seconds, score } = progressOfTask(progress, id);
+  const { ms, steps } = workedIn(id);
+  return {
+    id,
+    title: (task && inScreenLanguage(task.words, language)?.title) ?? id,
+    tries,
+    hints,
+    solution,
+    passed,
+    seconds,
+    score,
+    worked: Math.round(ms / SECOND),
+    steps,
+    program,
+    verdict: task && program !== null && task.kind !== "predict" ? await verdictHere(task, program) : null,
+  };
+}
+
+/** The results of tasks under a name, which may be empty. */
+export async function handedResult(
+  ids: readonly string[],
+  name: string,
+  progress: CourseProgress,
+  language: Language,
+): Promise<HandedResult> {
+  countWork();
+  await refreshWorks();
+  const tasks: TaskResult[] = [];
+  for (const id of ids) tasks.push(await resultOf(id, progress, language));
+  return { format: RESULT_FORMAT, name: name.trim(), made: time(), tasks };
+}

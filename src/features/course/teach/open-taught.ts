@@ -1,0 +1,54 @@
+import { LARGEST_TAUGHT, readTaught, readTaughtLink, saysTaught, type ReadTaught } from "./taught-files.ts";
+import { showProblem, showResults, showTask, type NamedResult } from "../../../app/records/course/taught-shown.ts";
+
+/** Shows the task or the results of a link, or says why it carries none. */
+export function openTaughtLink(hash: string): void {
+  show("", readTaughtLink(hash));
+}
+
+function show(file: string, read: ReadTaught): void {
+  if (read.kind === "task") showTask(read.task, read.left);
+  else if (read.kind === "result") showResults([{ file, result: read.result }]);
+  else showProblem(file, read);
+}
+
+async function readFile(file: File): Promise<ReadTaught> {
+  if (file.size > LARGEST_TAUGHT) return { kind: "tooLarge" };
+  try {
+    return readTaught(await file.text());
+  } catch {
+    return { kind: "unreadable" };
+  }
+}
+
+/** Shows results out of files, beside those that are there; what is none is named. */
+export async function addResults(files: readonly File[]): Promise<void> {
+  showResults(await Promise.all(files.map(async (file): Promise<NamedResult> => {
+    const read = await readFile(file);
+    if (read.kind === "result") return { file: file.name, result: read.result };
+    return { file: file.name, why: read.kind === "task" ? { kind: "task" } : read };
+  })));
+}
+
+const BEGINNING = 4096;
+
+/** Whether one of several files says that it is a task, or results, whatever its name. */
+export async function areTaught(files: readonly File[]): Promise<boolean> {
+  for (const file of files.filter(({ name }) => /\.json$/i.test(name))) {
+    try {
+      // Of a file that is larger than what is opened its beginning tells what it is.
+      if (saysTaught(await (file.size > LARGEST_TAUGHT ? file.slice(0, BEGINNING) : file).text())) return true;
+    } catch {
+      return false;
+    }
+  }
+  return false;
+}
+
+/** Shows the task of a file, or the results of one or several; what is none is said. */
+export async function openTaughtFiles(files: readonly File[]): Promise<void> {
+  const [first, ...others] = files;
+  if (!first) return;
+  if (others.length > 0) return addResults(files);
+  show(first.name, await readFile(first));
+}

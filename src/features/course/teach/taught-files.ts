@@ -1,0 +1,89 @@
+import { readResult, RESULT_FORMAT, type HandedResult } from "../../../course/made/result.ts";
+import { formatOf, readTask, type FieldFault } from "../../../course/read-task.ts";
+import { TASK_FORMAT, type Task } from "../../../course/task.ts";
+import { packedForLink, unpackedFromLink } from "../../../app/records/link.ts";
+import { fromOutside } from "../../../app/records/course/content.ts";
+
+/** Forms of the links; newer ones have higher numbers. */
+const TASK_MARK = "#t1=", RESULT_MARK = "#r1=";
+/** Largest file of a task or of results, and most text that a link unpacks to, characters. */
+export const LARGEST_TAUGHT = 4_000_000;
+
+/**
+ * Why nothing was read: more than is opened, of a newer edition, of another kind, no JSON (`line`: where that is seen, from 1), cut or
+ * altered on its way, fields that are wrong, or a file that the browser does not give.
+ */
+export type TaughtProblem = { readonly kind: "tooLarge" | "newer" | "foreign" | "damaged" | "unreadable" } | { readonly kind: "notJson";
+  readonly line: number | null } | { readonly kind: "fields"; readonly faults: readonly FieldFault[] };
+
+/** What was read, or why nothing was. `left`: fields that nobody knows. */
+export type ReadTaught = { readonly kind: "task"; readonly task: Task; readonly left: readonly string[] } | { readonly kind: "result";
+  readonly result: HandedResult } | TaughtProblem;
+
+/** Links that carry a task, or results. `page`: the address without anything behind `#`. */
+export const taskLink = (page: string, task: Task): string => page + TASK_MARK + packedForLink(task);
+export const resultLink = (page: string, result: HandedResult): string => page + RESULT_MARK + packedForLink(result);
+
+/** The same as files. */
+export const taughtFile = (content: Task | HandedResult): string => `${JSON.stringify(content, null, 1)}\n`;
+
+/** A format of this product with a higher number than the one that is read here. */
+function isNewer(format: unknown): boolean {
+  const [name, number] = typeof format === "string" ? format.split("/") : [];
+  return [TASK_FORMAT, RESULT_FORMAT].some((known) => known.split("/")[0] === name && Number(number) > Number(known.split("/")[1]));
+}
+
+const BOM = /^\uFEFF/;
+
+/** The line in which a text stops being JSON, as far as the browser says it. */
+function lineOf(error: unknown, text: string): number | null {
+  const said = error instanceof Error ? error.message : "";
+  const [, line] = /\bline (\d+)/.exec(said) ?? [], [, position] = /\bposition (\d+)/.exec(said) ?? [];
+  if (line !== undefined) return Number(line);
+  return position === undefined ? null : text.slice(0, Number(position)).split("\n").length;
+}
+
+/** What a text holds as JSON. */
+function parsed(text: string): { readonly raw: unknown } | TaughtProblem {
+  const plain = text.replace(BOM, "");
+  try {
+    return { raw: JSON.parse(plain) as unknown };
+  } catch (error) {
+    return { kind: "notJson", line: lineOf(error, plain) };
+  }
+}
+
+/** Reads the text of a task or of results. Never throws. */
+export function readTaught(text: string): ReadTaught {
+  if (text.length > LARGEST_TAUGHT) return { kind: "tooLarge" };
+  const found = parsed(text);
+  if (!("raw" in found)) return found;
+  const { raw } = found, format = formatOf(raw);
+  if (isNewer(format)) return { kind: "newer" };
+  if (format === RESULT_FORMAT) {
+    const result = readResult(raw);
+    return result ? { kind: "result", result } : { kind: "damaged" };
+  }
+  if (format !== TASK_FORMAT) return { kind: "foreign" };
+  const read = readTask(raw);
+  return "task" in read ? { kind: "task", task: fromOutside(read.task), left: read.left } : { kind: "fields", ...read };
+}
+
+/** Whether a text that is named as JSON says that it is a task, or results. */
+export const saysTaught = (text: string): boolean => /^\uFEFF?\s*\{/.test(text) && /"format"\s*:\s*"turnwise-(?:task|result)\//.test(text);
+
+/** Reads the part of a link behind `#`. Never throws, and never unpacks more than it opens. */
+export function readTaughtLink(hash: string, most = LARGEST_TAUGHT): ReadTaught {
+  const [mark, form] = /^#[tr](\d+)=/.exec(hash) ?? [];
+  if (mark === undefined) return { kind: "damaged" };
+  if (Number(form) > 1) return { kind: "newer" };
+  try {
+    const text = unpackedFromLink(hash.slice(mark.length), most);
+    if (text === null) return { kind: "tooLarge" };
+    const read = readTaught(text);
+    // What was packed here was whole: a text that is none was cut or altered on its way.
+    return read.kind === "notJson" || read.kind === "foreign" ? { kind: "damaged" } : read;
+  } catch {
+    return { kind: "damaged" };
+  }
+}

@@ -1,0 +1,38 @@
+import { useEffect } from "react";
+import { loadRequestOf } from "../../app/calculation/load-request.ts";
+import type { Outcome } from "../../app/calculation/outcome.ts";
+import { askAgain } from "../../app/calculation/worker-life.ts";
+import { useMeasuredLoad } from "../../app/pictures/load/load-store.ts";
+import type { Told } from "../../app/pictures/load/use-load.ts";
+
+/** Values rest for so long before they are measured, ms: while one slides, the path comes first. */
+const REST = 120;
+
+/** Has measured what colours tell of a run: its surface, or what its tool bears along the path. */
+export function useLessonLoad(outcome: Outcome | null, of: Told | null): void {
+  useEffect(() => {
+    if (!outcome || of === null || outcome.run.steps.length === 0) return undefined;
+    const { run } = outcome;
+    const what = of === "roughness" ? "surface" : "path";
+    const measured = useMeasuredLoad.getState();
+    if (measured.run === run && measured[what]) return undefined;
+    let gone = false;
+    const put = (found: Partial<ReturnType<typeof useMeasuredLoad.getState>>) => {
+      if (!gone) useMeasuredLoad.setState({ run, path: null, surface: null, failed: false, ...found });
+    };
+    const measure = async () => {
+      const request = loadRequestOf(outcome);
+      try {
+        if (of === "roughness") put({ surface: await askAgain((engine) => engine.roughness(request)) });
+        else put({ path: await askAgain((engine) => engine.pathLoad(request)) });
+      } catch {
+        put({ failed: true });
+      }
+    };
+    const timer = setTimeout(() => void measure(), REST);
+    return () => {
+      gone = true;
+      clearTimeout(timer);
+    };
+  }, [outcome, of]);
+}

@@ -1,0 +1,18 @@
+import { useMemo } from "react";
+import type { Outcome } from "../../app/calculation/outcome.ts";
+import { findingsOf } from "../../app/findings/findings.ts";
+import { issueText } from "../../app/calculation/issue-text.ts";
+import { lookAtOf, type LookAt } from "../../app/pictures/lathe/places.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+
+/** What the picture of a lesson marks: what was found in the run of its program, and what stays in the part. */
+export function useLessonPlaces(outcome: Outcome): readonly LookAt[] {
+  const texts = useTexts();
+  const language = useSettings((s) => s.language);
+  return useMemo(() =>
+    findingsOf(null, outcome).flatMap((entry) => {
+      const cycle = entry.operation === null ? null : outcome.run.operations[entry.operation]?.cycle ?? null;
+      return lookAtOf(entry, "ZX", texts.findings, () => issueText(texts, language, entry.issue, cycle)) ?? [];
+    }), [outcome, texts, language]);
+}

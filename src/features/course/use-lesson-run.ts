@@ -1,0 +1,76 @@
+import { useEffect, useState } from "react";
+import { shippedList } from "../../program/tool-list.ts";
+import type { Outcome } from "../../app/calculation/outcome.ts";
+import { askAgain } from "../../app/calculation/worker-life.ts";
+import { toolsOnDevice } from "../../app/document/tool-store.ts";
+
+/** Rapid rate of the lessons, mm/min. */
+const RAPID = 10_000;
+/** Runs that are kept, so that pages gone back to are there at once. */
+const MOST_KEPT = 24;
+
+const known = new Map<string, Outcome>();
+
+function note(text: string, outcome: Outcome): void {
+  known.delete(text);
+  known.set(text, outcome);
+  const [oldest] = known.keys();
+  if (known.size > MOST_KEPT && oldest !== undefined) known.delete(oldest);
+}
+
+/** A program is run with the shipped tools and as a TNC 640 moves: what a lesson shows does not depend on the device it is read on. */
+function ran(text: string): Promise<Outcome> {
+  const { table } = toolsOnDevice(shippedList);
+  return askAgain((engine) => engine.update({ version: 0, text, table, rapid: RAPID, control: "TNC 640" }));
+}
+
+/** What came of the programs of a lesson. */
+export interface LessonRun {
+  /** The newest result. While a value slides it is the one before, until the next is here. */
+  readonly outcome: Outcome | null;
+  /** The program it is of is not the one that is wanted. */
+  readonly waits: boolean;
+  readonly failed: boolean;
+}
+
+/** Runs the programs that are wanted one after the other; of those that wait only the newest. */
+function runner(take: (text: string, outcome: Outcome | null) => void): (text: string) => void {
+  let waiting: string | null = null;
+  let busy = false;
+  const work = async () => {
+    busy = true;
+    while (waiting !== null) {
+      const text: string = waiting;
+      waiting = null;
+      try {
+        const outcome = await ran(text);
+        note(text, outcome);
+        take(text, outcome);
+      } catch {
+        take(text, null);
+      }
+    }
+    busy = false;
+  };
+  return (text) => {
+    waiting = text;
+    if (!busy) void work();
+  };
+}
+
+/** The run of a program as it is now; the last one stays until it is there. */
+export function useLessonRun(text: string): LessonRun {
+  const [made, take] = useState<{ readonly text: string; readonly outcome: Outcome | null } | null>(null);
+  const [want] = useState(() => runner((of, outcome) => take((before) => ({ text: of, outcome: outcome ?? before?.outcome ?? null }))));
+  const here = known.get(text);
+  // What was known before it was wanted is the one before as well.
+  const [before, keep] = useState<Outcome | null>(null);
+  const newest = here ?? (made?.text === text ? made.outcome : null);
+  if (newest && newest !== before) keep(newest);
+  useEffect(() => {
+    if (!here) want(text);
+  }, [here, text, want]);
+  const isIt = made?.text === text;
+  if (here) return { outcome: here, waits: false, failed: false };
+  return { outcome: before ?? made?.outcome ?? null, waits: !isIt, failed: isIt };
+}

@@ -1,0 +1,106 @@
+import { Suspense, useEffect, useRef } from "react";
+import { isKept } from "../../cycles/kept-cycles.ts";
+import { withBlock } from "../../nc/edit.ts";
+import { blockNumbers, startLines } from "../../nc/program.ts";
+import type { Statement } from "../../nc/statement.ts";
+import { FieldMessage } from "../../app/fields/dialog/FieldMessage.tsx";
+import type { FindingEntry } from "../../app/findings/entry.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { CalledTool } from "./operations/CalledTool.tsx";
+import { DescribeCycle } from "../../app/fields/own/DescribeCycle.tsx";
+import { useGuidedBlock } from "../../app/place/guide-place.ts";
+import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
+import { showFile, useShownBeside } from "../../app/document/shown-file.ts";
+import { placeInFile } from "../../app/calculation/issue-text.ts";
+import { fileKey } from "../../program/program-files.ts";
+import { useEditor } from "../../app/document/store.ts";
+import { fileOf } from "../../app/document/work.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { BlockField } from "./BlockField.tsx";
+import { fieldsOf } from "../../app/fields/blocks/block-fields.ts";
+import { kindOf } from "../../app/fields/blocks/block-kind.ts";
+import { BlockMore } from "./BlockMore.tsx";
+import { editProgram, openBlock, readWhole, useSession } from "../../app/fields/blocks/session.ts";
+
+/** Nothing offers a nearest value here. */
+const nothing = () => undefined;
+
+/** Findings that say of a block that it is kept and not run. */
+const SAYS_SO: ReadonlySet<string> = new Set(["cycleNotSimulated", "notSimulated", "notUnderstood"]);
+
+/** Where the cycle that a block calls is defined, when that is in a called program; null when it is not, or nobody knows. */
+function definedElsewhere(outcome: Outcome | null, call: number | undefined) {
+  const found = outcome?.run.operations.find(({ block, definedFile }) => block === call && definedFile !== undefined);
+  const { program } = useEditor.getState();
+  if (found?.definedFile === undefined || !program || !fileOf(program, fileKey(found.definedFile))) return null;
+  return { file: found.definedFile, block: found.definedIn, line: found.definedLine };
+}
+
+/** Who comes back from the page of a word goes on in its field. */
+function backToWord(form: HTMLElement | null): void {
+  const { block } = useGuidedBlock.getState();
+  if (!form || !block?.word || block.work !== useEditor.getState().work) return;
+  useGuidedBlock.setState({ block: { ...block, word: null } });
+  form.querySelector<HTMLElement>(`[data-word="${CSS.escape(block.word)}"] :is(input, select)`)?.focus();
+}
+
+/** The dialog of a block that is no cycle of the catalogue: one field a word, made from the description of its kind. */
+export function BlockForm({ problems }: { readonly problems: readonly FindingEntry[] }) {
+  const all = useTexts();
+  const { editor: t } = all;
+  const file = useShownBeside();
+  const newest = useOutcome((s) => s.newest);
+  const { reading: { program }, index } = useSession();
+  const form = useRef<HTMLDivElement>(null);
+  const block = program.blocks[index];
+  useEffect(() => backToWord(form.current), []);
+  if (!block) return null;
+  const s = block.statement;
+  const line = startLines(program)[index] ?? 1, kind = kindOf(s);
+  const change = (next: Statement, field: string) => editProgram(withBlock(program, index, next), `block ${index} ${field}`);
+  const away = s.kind === "cycleCall" && file === null ? definedElsewhere(newest, blockNumbers(program)[index]) : null;
+  const definition = s.kind === "cycleCall" && !away
+    ? program.blocks.slice(0, index).findLastIndex((b) => b.statement.kind === "cycle")
+    : -1;
+  const numbers = definition >= 0 ? blockNumbers(program) : [];
+  return (
+    <div className="block-form" ref={form} role="form" aria-label={t.form}>
+      <code className="number block-text">{block.raw.trimEnd()}</code>
+      {(s.kind === "unknown" || (s.kind === "cycle" && isKept(s.cycle))) && !problems.some(({ issue }) => SAYS_SO.has(issue.code)) && (
+        <p className="field-message info">
+          <Icon name="info" /> {t.kept}
+        </p>
+      )}
+      {s.kind === "cycle" && (
+        <Suspense>
+          <DescribeCycle statement={s} />
+        </Suspense>
+      )}
+      {s.kind === "toolCall" && <CalledTool key={index} statement={s} change={(next) => change(next, "tool chosen")} />}
+      {fieldsOf(s).map((field) => (
+        <BlockField key={`${index} ${field.id}`} field={field} statement={s} change={change}
+          more={kind !== "unknown" && kind !== "empty" && <BlockMore kind={kind} field={field} line={line} />} />
+      ))}
+      {definition >= 0 && (
+        <button type="button" className="button" onClick={() => openBlock(definition)}>
+          {t.goToDefinition(String(numbers[definition] ?? 0))}
+        </button>
+      )}
+      {away && (
+        <button type="button" className="button" onClick={() => {
+          showFile(away.file);
+          readWhole();
+          openBlock(startLines(useSession.getState().reading.program).indexOf(away.line));
+        }}>
+          {t.goToDefinitionIn(String(away.block), away.file)}
+        </button>
+      )}
+      <div role="status">
+        {problems.map((problem, i) => (
+          <FieldMessage key={i} problem={problem} decimals={3} onTake={nothing}
+            {...(problem.inFile && { place: placeInFile(all, problem.inFile) })} />
+        ))}
+      </div>
+    </div>
+  );
+}

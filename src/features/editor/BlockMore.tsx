@@ -1,0 +1,32 @@
+import { Suspense } from "react";
+import { MoreLater } from "../../app/fields/said/MoreLater.tsx";
+import { useGuidedBlock } from "../../app/place/guide-place.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { useEditor } from "../../app/document/store.ts";
+import type { BlockKind } from "../../app/fields/blocks/block-kind.ts";
+import type { WordField } from "../../app/fields/blocks/field.ts";
+
+interface Props {
+  readonly kind: BlockKind;
+  readonly field: WordField;
+  /** The line of its block, from 1. */
+  readonly line: number;
+}
+
+/** Kinds whose own page speaks of all their words. */
+const WHOLE: ReadonlySet<string> = new Set(["text", "parameter"]);
+
+/** The way from a field of a block to its page of the guide. */
+export function BlockMore({ kind, field: { id, name }, line }: Props) {
+  const { editor: t } = useTexts();
+  const work = useEditor((s) => s.work);
+  const word = id.replace(/^word /, "");
+  const page = WHOLE.has(word) || kind === "cycle" ? kind : `${kind}.${word}`;
+  return (
+    <span className="block-more" onClickCapture={() => useGuidedBlock.setState({ block: { work, line, word: id } })}>
+      <Suspense>
+        <MoreLater page={["guide", "block", page]} name={typeof name === "string" ? t.fields[name] : name.word} />
+      </Suspense>
+    </span>
+  );
+}

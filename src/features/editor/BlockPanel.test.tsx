@@ -1,0 +1,40 @@
+import { act, cleanup, render, screen } from "@testing-library/react";
+import { afterEach, beforeEach, expect, test } from "vitest";
+import { changeLanguage } from "../../app/base/settings/settings.ts";
+import { begin, useEditor } from "../../app/document/store.ts";
+import { BlockPanel } from "./BlockPanel.tsx";
+import { closeSession, openSession } from "../../app/fields/blocks/session.ts";
+
+/** Opens a program as its workplace does, a moment after the panel stands. */
+function openProgram(text: string): void {
+  act(() => {
+    begin({ name: "A.H", text, encoding: "utf-8" }, "w");
+    const { program } = useEditor.getState();
+    if (program) openSession(program, "w");
+  });
+}
+
+beforeEach(() => changeLanguage("en"));
+afterEach(() => {
+  cleanup();
+  closeSession();
+});
+
+test("who types while a program opens goes on typing: nothing takes the keyboard away", () => {
+  render(<>
+    <input aria-label="Answer" />
+    <BlockPanel />
+  </>);
+  const field = screen.getByRole("textbox");
+  field.focus();
+  expect(screen.queryByRole("group")).toBeNull();
+  openProgram("");
+  expect(screen.getByRole("group", { name: "Which block?" })).toBeTruthy();
+  expect(document.activeElement).toBe(field);
+});
+
+test("the kinds of blocks have the keyboard where nobody else has it", () => {
+  render(<BlockPanel />);
+  openProgram("");
+  expect(screen.getByRole("group").contains(document.activeElement)).toBe(true);
+});

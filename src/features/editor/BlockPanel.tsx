@@ -1,0 +1,90 @@
+import { Suspense, useRef, useState } from "react";
+import { blockNumbers, startLines } from "../../nc/program.ts";
+import { cycleByNumber, type CycleNumber } from "../../cycles/index.ts";
+import { isKept } from "../../cycles/kept-cycles.ts";
+import type { Texts } from "../../i18n/index.ts";
+import { ApproachBlock } from "./approach/ApproachBlock.tsx";
+import { CycleDialog } from "../../app/fields/dialog/CycleDialog.tsx";
+import { Icon, type IconName } from "../../app/base/Icon.tsx";
+import type { OwnBlock } from "../../app/fields/blocks/own-block.ts";
+import { OwnDialog } from "../../app/fields/own/OwnDialog.tsx";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { duplicated, exchanged, removed } from "../../app/fields/blocks/block-edits.ts";
+import { BlockForm } from "./BlockForm.tsx";
+import { kindOf } from "../../app/fields/blocks/block-kind.ts";
+import { Palette } from "./Palette.tsx";
+import { countsInches } from "../../app/fields/blocks/block-prompts.ts";
+import { setBlockPrompt, setBlockPrompts, useOpenBlock } from "../../app/fields/blocks/open-block.ts";
+import { editProgram, ofText, openBlock, useSession } from "../../app/fields/blocks/session.ts";
+
+/** What a cycle is called on the screen; null for one that nobody here knows. */
+function nameOf(t: Texts, cycle: number, own: OwnBlock | null): string | null {
+  if (cycleByNumber(cycle)) return t.cycles.of[cycle as CycleNumber].name;
+  return isKept(cycle) ? t.cycles.kept[cycle] : (own?.own.name ?? null);
+}
+
+/** The dialog of the open block, and what can be done with the block itself. */
+export function BlockPanel() {
+  const t = useTexts();
+  const { reading: { program }, index } = useSession();
+  const isOpen = useSession(ofText);
+  const { read, own, problems } = useOpenBlock();
+  const [choosing, choose] = useState(false);
+  const panel = useRef<HTMLDivElement>(null);
+  const block = program.blocks[index];
+  const last = program.blocks.length - 1;
+
+  if (!isOpen) return null;
+  if (choosing || !block) {
+    return (
+      <div className="block-panel">
+        {!block && <p className="soft">{t.editor.noBlock}</p>}
+        <Palette index={index} done={() => choose(false)} />
+      </div>
+    );
+  }
+  const s = block.statement;
+  const words = s.kind === "cycle" ? nameOf(t, s.cycle, own) : null;
+  const kind = words ?? t.editor.kinds[kindOf(s)];
+  const number = String(blockNumbers(program)[index] ?? 0);
+  const line = startLines(program)[index] ?? 1;
+  const dialogOf = () => {
+    if (read) {
+      const prompted = { line, problems, inches: countsInches(program), set: setBlockPrompt, setAll: setBlockPrompts };
+      return <CycleDialog key={index} read={read} block={prompted} />;
+    }
+    if (own)
+      return (
+        <Suspense key={index}>
+          <OwnDialog block={own} problems={problems} set={setBlockPrompt} />
+        </Suspense>
+      );
+    if (s.kind === "approach") return <ApproachBlock key={index} problems={problems} />;
+    return <BlockForm key={index} problems={problems} />;
+  };
+  const tool = (icon: IconName, name: string, act: () => void, disabled = false) => (
+    <button type="button" className="button icon plain" aria-label={name} title={name} disabled={disabled} onClick={act}>
+      <Icon name={icon} />
+    </button>
+  );
+
+  return (
+    <div className="block-panel" ref={panel}>
+      <header className="block-head">
+        <h2>{t.editor.heading(number, kind)}</h2>
+      </header>
+      <div className="block-tools" role="group" aria-label={t.editor.tools}>
+        <button type="button" className="button" aria-label={t.editor.insertLong} onClick={() => choose(true)}>
+          <Icon name="add" /> <span>{t.editor.insert}</span>
+        </button>
+        {tool("up", t.editor.previous, () => openBlock(index - 1), index <= 0)}
+        {tool("down", t.editor.next, () => openBlock(index + 1), index >= last)}
+        {tool("copy", t.editor.duplicate, () => editProgram(duplicated(program, index), null, index + 1))}
+        {tool("raise", t.editor.up, () => editProgram(exchanged(program, index - 1), null, index - 1), index <= 0)}
+        {tool("lower", t.editor.down, () => editProgram(exchanged(program, index), null, index + 1), index >= last)}
+        {tool("remove", t.editor.remove, () => editProgram(removed(program, index), null, Math.min(index, last - 1)))}
+      </div>
+      {dialogOf()}
+    </div>
+  );
+}

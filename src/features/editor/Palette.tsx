@@ -1,0 +1,80 @@
+import { useEffect, useRef, useState } from "react";
+import { markFresh } from "../../app/fields/blocks/fresh-block.ts";
+import { cycleByNumber } from "../../cycles/index.ts";
+import { CycleChooser } from "../../app/fields/chooser/CycleChooser.tsx";
+import { ownStatement } from "../../program/own-cycle.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import type { Statement } from "../../nc/statement.ts";
+import { useOwnOffer } from "../../app/fields/own/OwnCycles.tsx";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { inserted } from "../../app/fields/blocks/block-edits.ts";
+import { cycleStatement, palette, type Offered } from "./palette.ts";
+import { editProgram, useSession } from "../../app/fields/blocks/session.ts";
+
+const groups = [...new Set(palette.map((offered) => offered.group))];
+
+interface Props {
+  readonly index: number;
+  readonly done: () => void;
+}
+
+/** All kinds of blocks; choosing one puts it behind the open block and opens its dialog. */
+export function Palette({ index, done }: Props) {
+  const t = useTexts();
+  const language = useSettings((s) => s.language);
+  const program = useSession((s) => s.reading.program);
+  const box = useRef<HTMLDivElement>(null);
+  const [cycles, showCycles] = useState(false);
+  // It takes the place of what was pressed; whoever is typing elsewhere goes on there.
+  useEffect(() => {
+    if (!cycles && document.activeElement === document.body)
+      box.current?.querySelector<HTMLElement>("button")?.focus({ preventScroll: true });
+  }, [cycles]);
+
+  const put = (statement: Statement) => {
+    if (statement.kind === "approach") markFresh(index + 1);
+    editProgram(inserted(program, index + 1, statement), null, index + 1);
+    done();
+  };
+  const putCycle = (number: number) => {
+    const cycle = cycleByNumber(number);
+    if (cycle) put(cycleStatement(cycle, language));
+  };
+  const choose = (offered: Offered) => (offered.make ? put(offered.make(language)) : showCycles(true));
+  const own = useOwnOffer(t.chooser.insert, (cycle) => put(ownStatement(cycle)));
+  return (
+    <div className="palette" ref={box} role="group" aria-label={t.editor.palette} onKeyDown={(event) => {
+      if (event.key !== "Escape") return;
+      if (cycles) showCycles(false);
+      else done();
+    }}>
+      <header className="block-head">
+        {cycles && (
+          <button type="button" className="button" onClick={() => showCycles(false)}>
+            <Icon name="back" /> {t.chooser.back}
+          </button>
+        )}
+        <h2>{cycles ? t.chooser.cycles : t.editor.palette}</h2>
+        <button type="button" className="button icon plain" aria-label={t.page.close} onClick={done}>
+          <Icon name="close" />
+        </button>
+      </header>
+      {cycles && (
+        <CycleChooser narrow inProgram focus more={own} ways={[{ name: t.chooser.insert, short: t.chooser.insert, go: putCycle }]} />
+      )}
+      {!cycles && groups.map((group) => (
+        <section key={group} aria-label={t.editor.groups[group]}>
+          <h3 className="panel-title">{t.editor.groups[group]}</h3>
+          <div className="palette-kinds">
+            {palette.filter((offered) => offered.group === group).map((offered) => (
+              <button key={offered.kind} type="button" className="button" onClick={() => choose(offered)}>
+                {/^[A-Z]/.test(offered.kind) && <b className="number">{offered.kind}</b>} {t.editor.kinds[offered.kind]}
+              </button>
+            ))}
+          </div>
+        </section>
+      ))}
+    </div>
+  );
+}

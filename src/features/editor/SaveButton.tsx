@@ -1,0 +1,59 @@
+import { Suspense, useState } from "react";
+import { showComparison, type ShowBlock } from "../../app/place/compare-place.ts";
+import { canSaveFiles } from "../../app/records/files/file-handle.ts";
+import { shownFile } from "../../app/document/shown-file.ts";
+import type { Obstacle } from "../../app/records/files/SaveProblem.tsx";
+import type { SaveHow } from "../../app/records/files/save-back.ts";
+import { lazyPart, untilHere } from "../../app/base/parts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { useEditor } from "../../app/document/store.ts";
+import { handOverText } from "../../app/fields/blocks/session.ts";
+
+/** Fetched when a file is not written at once. */
+const SaveProblem = lazyPart(async () => ({ default: (await import("../../app/records/files/SaveProblem.tsx")).SaveProblem }));
+
+interface Props {
+  /** Name of the file that is shown. */
+  readonly name: string;
+  /** Asks before a program with faults leaves; true when it may. */
+  readonly mayLeave: () => Promise<boolean>;
+  readonly onSaved: (name: string) => void;
+  readonly onDownload: () => void;
+  readonly showBlock: ShowBlock;
+}
+
+/** Saves the shown file back to where it came from. What stands in the way is said, with what can be done instead. */
+export function SaveButton({ name, mayLeave, onSaved, onDownload, showBlock }: Props) {
+  const t = useTexts().editor;
+  const [obstacle, meet] = useState<Obstacle | null>(null);
+  const write = async (how: SaveHow) => {
+    handOverText();
+    const { program, work } = useEditor.getState();
+    if (!program || work === null) return;
+    const { saveBack } = await untilHere(() => import("../../app/records/files/save-back.ts"));
+    const file = shownFile(program);
+    const saved = await saveBack(work, file, how);
+    if (saved.kind === "written") onSaved(file.name);
+    if (saved.kind === "written" || saved.kind === "closed") meet(null);
+    else meet(saved);
+  };
+  const save = async () => {
+    if (await mayLeave()) await write("careful");
+  };
+  const compare = async (bytes: Uint8Array<ArrayBuffer>) => {
+    const { decode } = await import("../../app/document/encoding.ts");
+    showComparison(showBlock, { name, text: decode(bytes).text });
+  };
+  if (!canSaveFiles() && !obstacle) return null;
+  return (
+    <>
+      <button type="button" className="button" aria-label={t.saveLong(name)} onClick={() => void save()}>{t.save}</button>
+      {obstacle && (
+        <Suspense>
+          <SaveProblem file={name} obstacle={obstacle} canSave={canSaveFiles()} onSave={(how) => void write(how)} onDownload={onDownload}
+            onCompare={(bytes) => void compare(bytes)} done={() => meet(null)} />
+        </Suspense>
+      )}
+    </>
+  );
+}

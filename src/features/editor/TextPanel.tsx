@@ -1,0 +1,112 @@
+import { useEffect, useMemo, useRef, useState } from "react";
+import type { ShowBlock } from "../../app/place/compare-place.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { useVerdict } from "../../app/findings/use-findings.ts";
+import { copyProgram } from "../../app/fields/leaving/copy-program.ts";
+import { CopyStatus } from "../../app/fields/leaving/CopyStatus.tsx";
+import { isUntied } from "../../nc/program.ts";
+import { withTiedLists } from "../../nc/tie-lists.ts";
+import { FileNote } from "../../app/fields/program/FileNote.tsx";
+import { useFileKind } from "../../app/document/output.ts";
+import { isoFile } from "../../app/document/printed.ts";
+import { mayLeave, type Way } from "../../app/fields/leaving/leaving.ts";
+import { ProgramMore } from "../../app/fields/program/ProgramMore.tsx";
+import { useCopying } from "../../app/findings/copy.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { useEditor } from "../../app/document/store.ts";
+import { encode, notIn } from "../../app/document/encoding.ts";
+import { downloadBytes } from "../../app/base/download.ts";
+import { editProgram, handOverText, openBlock, readWhole, sessionDom, sessionText, sessionView, useSession } from "../../app/fields/blocks/session.ts";
+import { shownFile, showFile, useShownName } from "../../app/document/shown-file.ts";
+import { SaveButton } from "./SaveButton.tsx";
+import { SkipSwitch } from "./SkipSwitch.tsx";
+import { WorkFiles } from "./WorkFiles.tsx";
+
+const showTextBlock: ShowBlock = (file, index) => {
+  showFile(file);
+  readWhole();
+  openBlock(index);
+  sessionView()?.focus();
+};
+
+/** The text of the program with what can be done with its file. */
+export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
+  const t = useTexts();
+  const box = useRef<HTMLDivElement>(null);
+  const name = useShownName();
+  const ready = useSession((s) => s.reading);
+  const { faults } = useVerdict();
+  const kind = useFileKind();
+  const isUntiedText = useMemo(() => ready.program.blocks.some(isUntied), [ready]);
+  const copied = useCopying((c) => c.state === "copied" && c.verdict !== null);
+  const leavesOut = useEditor((s) => s.program?.skipMarked ?? false);
+  const [saved, setSaved] = useState<string | null>(null);
+  const foreign = useEditor((s) => (s.program ? notIn(shownFile(s.program)) : null));
+
+  useEffect(() => {
+    const dom = sessionDom();
+    if (!dom || dom.parentElement === box.current) return;
+    box.current?.append(dom);
+    sessionView()?.requestMeasure();
+  }, [ready]);
+
+  const bytes = () => {
+    const { program } = useEditor.getState();
+    return encode(sessionText() ?? "", program ? shownFile(program).encoding : "utf-8");
+  };
+  /** What is said of a file that leaves is said of the program that runs with it. */
+  const running = () => {
+    handOverText();
+    return useEditor.getState().program?.text ?? "";
+  };
+  const allowed = (way: Way) => mayLeave(way, running());
+  const download = () => downloadBytes(bytes(), name);
+  const downloadIso = async () => {
+    const { text } = await isoFile(sessionText() ?? "");
+    if (await allowed("download")) downloadBytes(encode(text, "utf-8"), `${name.replace(/\.[^.]*$/, "")}.i`);
+  };
+
+  return (
+    <section className={`program text-panel${leavesOut ? " leaves-out" : ""}`} aria-label={t.page.text.title}>
+      <WorkFiles />
+      <SkipSwitch />
+      <div ref={box} className="text-editor number" />
+      {foreign !== null && (
+        <p role="status" className="field-message warning">
+          <Icon name="warning" /> {t.editor.otherEncoding(foreign, name)}
+        </p>
+      )}
+      <FileNote {...(isUntiedText
+        ? {
+          text: t.page.text.untied,
+          warns: true,
+          cure: { name: t.page.text.tie, go: () => editProgram(withTiedLists(ready.program), null) },
+        }
+        : { text: t.page.text.files[kind] })} />
+      <div className="program-foot">
+        {toBlock && <button type="button" className="button to-block" onClick={toBlock}>{t.editor.form}</button>}
+        <div className="program-buttons">
+          <button type="button" className="button" aria-label={`${t.page.text.copyLong}: ${t.page.text.files[kind]}`} onClick={() => {
+            void copyProgram(running(), sessionText() ?? "");
+          }}>
+            <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.page.text.copy}{" "}
+            <span className="small">{t.page.text.layouts[kind]}</span>
+          </button>
+          <SaveButton name={name} mayLeave={async () => (await allowed("save")) !== null} onSaved={setSaved} onDownload={download}
+            showBlock={showTextBlock} />
+          <button type="button" className="button" aria-label={`${t.page.text.download(name)}: ${t.page.text.files[kind]}`}
+            onClick={() => void allowed("download").then((verdict) => verdict && download())}
+          >
+            <Icon name="download" /> <span className="file-name">{name}</span> <span className="small">{t.page.text.layouts[kind]}</span>
+          </button>
+        </div>
+        <ProgramMore showBlock={showTextBlock}>
+          <button type="button" className="button plain" onClick={() => void downloadIso()}>
+            <Icon name="download" /> {t.page.text.asIso}
+          </button>
+        </ProgramMore>
+      </div>
+      <CopyStatus otherwise={saved === null ? "" : t.editor.saved(saved)} />
+    </section>
+  );
+}

@@ -1,0 +1,113 @@
+import { useEffect, type ReactNode } from "react";
+import { formatFixed } from "../../i18n/number.ts";
+import type { Step } from "../../kernel/step.ts";
+import type { Program } from "../../nc/program.ts";
+import { operationsOf } from "../../program/operations.ts";
+import type { Run } from "../../program/run-types.ts";
+import { compareFromHere, followComparing } from "../../app/findings/effect/before.ts";
+import { areaDecimals, type ComparedNumber } from "../../app/findings/effect/changes.ts";
+import { effectNow } from "../../app/findings/effect/effect.ts";
+import { PinButton } from "../../app/findings/effect/Pinned.tsx";
+import { TimeName } from "../../app/findings/effect/TimeName.tsx";
+import { MoreFaults, useChanges } from "../../app/findings/effect/Was.tsx";
+import { Checking, useChecking } from "../../app/calculation/Checking.tsx";
+import { useOutcome } from "../../app/calculation/outcome.ts";
+import { StripStatus } from "../../app/findings/StripStatus.tsx";
+import { useVerdict } from "../../app/findings/use-findings.ts";
+import { VerdictText } from "../../app/findings/VerdictText.tsx";
+import { useLengths } from "../../app/calculation/lengths.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { useSession } from "../../app/fields/blocks/session.ts";
+
+/** How many tool calls of a text change the tool. */
+function toolCalls({ blocks }: Program): number {
+  const called = blocks.flatMap(({ statement: s }) => (s.kind === "toolCall" && s.tool !== null ? [JSON.stringify(s.tool)] : []));
+  return called.filter((tool, i) => tool !== called[i - 1]).length;
+}
+
+/** How often a run changes the tool; a call of a cycle keeps the one that it has. */
+function changesOf({ steps, operations }: Run): number {
+  let changes = 0, last: number | null = null;
+  for (let i = 0; i < steps.length; i += 1) {
+    const { tool, operation } = steps[i] as Step;
+    if (tool.T !== last) changes += 1;
+    last = tool.T;
+    if (operation !== null) i = Math.max(i, operations[operation]?.lastStep ?? i);
+  }
+  return changes;
+}
+
+/** Operations of a program; milled ones are none of its run, and then those of the text count, as in its list. */
+export const operationCount = (program: Program, { plane, operations }: Pick<Run, "plane" | "operations">): number =>
+  plane.length > 0 ? operationsOf(program).units.length : operations.length;
+
+/** What the whole program does: operations, passes, tool changes, time, what stays, and the proof. */
+export function TotalsStrip() {
+  const t = useTexts();
+  const lengths = useLengths(), { language } = lengths;
+  const shown = useOutcome((s) => s.pictured);
+  const proved = useOutcome((s) => s.shown);
+  const dimmed = useOutcome((s) => s.dimmed);
+  const checking = useChecking();
+  const verdict = useVerdict();
+  const effect = shown && effectNow(shown, proved);
+  const words = t.page.effect;
+  const number = (
+    value: number | null | undefined,
+    decimals: number,
+  ) => (value === undefined || value === null ? words.unknown : formatFixed(language, value, decimals));
+  const program = useSession((s) => s.reading.program), run = shown?.run;
+  // Milled motions know neither tool nor operation: those of the text are counted then.
+  const tools = run && (run.plane.length > 0 ? toolCalls(program) : changesOf(run));
+  const operations = run && operationCount(program, run);
+  useEffect(() => {
+    const stop = followComparing();
+    // Another block is another dialog, where the same prompt may be open.
+    const stopBlocks = useSession.subscribe((now, before) => {
+      if (now.index !== before.index) compareFromHere();
+    });
+    return () => {
+      stopBlocks();
+      stop();
+    };
+  }, []);
+  const { changed } = useChanges();
+  const cell = (name: ReactNode, value: ReactNode, unit = "", compared: ComparedNumber | null = null) => (
+    <div className={`effect-cell${compared === "residual" ? " stays" : ""}`}>
+      <dt>{name}</dt>
+      <dd {...(compared && changed(compared))}>
+        <span className="number">{value}</span>
+        {unit && <span className="soft small">{unit}</span>}
+      </dd>
+    </div>
+  );
+  const seconds = effect ? Math.round(effect.seconds) : 0;
+  return (
+    <section className="effect" aria-label={t.editor.total} aria-busy={checking.now} data-checking={checking.seen}>
+      <dl className={dimmed ? "dimmed" : ""}>
+        {cell(t.editor.operations, number(operations, 0))}
+        {cell(t.editor.toolChanges, number(tools, 0))}
+        {cell(words.passes, number(effect?.passes, 0), "", "passes")}
+        {cell(<TimeName name={words.time} />,
+          effect ? words.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 0)) : words.unknown, "", "time")}
+        {cell(words.residual, effect?.residual
+          ? lengths.fixedArea(effect.residual, areaDecimals(effect.residual))
+          : effect?.residual === 0
+          ? words.none
+          : words.unknown, effect?.residual ? lengths.words("mm²") : "", "residual")}
+        {cell(t.editor.blocks, number(shown?.run.program.blocks, 0))}
+        <div className="effect-cell proof">
+          <dt>
+            {t.findings.verdict.title} <MoreFaults />
+          </dt>
+          <dd>
+            <VerdictText verdict={verdict} reasons={verdict.state === "faults" ? 0 : 1} />
+          </dd>
+          {checking.seen && <Checking />}
+        </div>
+      </dl>
+      <PinButton />
+      <StripStatus />
+    </section>
+  );
+}

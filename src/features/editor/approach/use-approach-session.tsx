@@ -1,0 +1,150 @@
+import { useMemo, useState, type ReactNode } from "react";
+import type { Texts } from "../../../i18n/index.ts";
+import { formatNumber, formatSigned } from "../../../i18n/number.ts";
+import { approachDraft, approachStatement, readApproach, SIDES, type ApproachDraft, type ApproachReading,
+  type ApproachStatement } from "../../../program/approach-draft.ts";
+import { approachFields, type ApproachField, type ApproachWord } from "../../../program/approach-fields.ts";
+import type { ApproachContext } from "../../../program/approach-request.ts";
+import type { Prompt, PromptSession } from "../../../app/fields/dialog/session.ts";
+import type { FindingEntry } from "../../../app/findings/entry.ts";
+import { useSettings } from "../../../app/base/settings/settings.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
+import { heldWhileTyping } from "../../../app/base/typing.ts";
+
+/** What is typed into the prompts of one block. */
+export interface TypedApproach {
+  readonly draft: ApproachDraft;
+  readonly reading: ApproachReading;
+  readonly set: (words: ApproachDraft) => void;
+}
+
+const same = (a: ApproachStatement, b: ApproachStatement) =>
+  a.form === b.form && a.departing === b.departing && JSON.stringify(approachDraft(a)) === JSON.stringify(approachDraft(b));
+
+/** What the prompts of a block hold: what was typed, unless the block was changed elsewhere and says something else. */
+const shownDraft = (statement: ApproachStatement, { plane, parameters }: ApproachContext, typed: ApproachDraft): ApproachDraft =>
+  same(approachStatement(statement, plane, typed, parameters), statement) ? typed : approachDraft(statement);
+
+/**
+ * Typed text of a block. What can be read goes into the block at once; what can not stays in its prompt. A block that was
+ * changed elsewhere (undo, its text) takes the place of what was typed. `newest`: the block as it stands, which is shown a moment after it
+ * was typed. `onTyped` is told whether all that is typed can be read.
+ */
+export function useTypedApproach(
+  statement: ApproachStatement,
+  context: ApproachContext,
+  newest: () => ApproachStatement,
+  onChange: (next: ApproachStatement, place: string | null) => void,
+  onTyped: (isRead: boolean) => void = () => undefined,
+): TypedApproach {
+  const { plane, parameters } = context;
+  const [useTyped] = useState(() => heldWhileTyping(() => ({ draft: approachDraft(statement) })));
+  const typed = useTyped((s) => s.draft);
+  const draft = useMemo(() => shownDraft(statement, context, typed), [statement, context, typed]);
+  return {
+    draft,
+    reading: useMemo(() => readApproach(statement, plane, draft, parameters), [statement, plane, draft, parameters]),
+    set(words) {
+      const now = newest(), next = { ...shownDraft(now, context, useTyped.getState().draft), ...words };
+      useTyped.setState({ draft: next });
+      const written = approachStatement(now, plane, next, parameters);
+      if (!same(written, now)) onChange(written, Object.keys(words).join(" "));
+      onTyped(Object.values(readApproach(now, plane, next, parameters)).every(({ issue }) => issue === null));
+    },
+  };
+}
+
+/** What a word is measured in. */
+function unitText(t: Texts, { kind }: ApproachField, inch: boolean): string {
+  const long = inch ? "inch" : "mm";
+  switch (kind) {
+    case "length":
+      return long;
+    case "diameter":
+      return inch ? `${long} ⌀` : t.dialog.units.diameter;
+    case "angle":
+      return "°";
+    case "feed":
+      return `${long}/min`;
+    case "side":
+    case "functions":
+      return "";
+  }
+}
+
+interface Shown {
+  readonly statement: ApproachStatement;
+  readonly context: ApproachContext;
+  readonly typed: TypedApproach;
+  readonly findings: readonly FindingEntry[];
+  readonly picture: (open: ApproachWord | null) => ReactNode;
+  /** The prompt that it begins with; the first one where the form has none such. */
+  readonly begins?: string | null;
+}
+
+/** The prompts of an APPR or DEP block in the order of the control. */
+export function useApproachSession({ statement, context, typed, findings, picture, begins = null }: Shown): PromptSession {
+  const t = useTexts();
+  const language = useSettings((s) => s.language);
+  const { draft, reading } = typed;
+  const { plane } = context;
+  const fields = approachFields(statement.form, statement.departing, plane);
+  const first = (fields.find((f) => f.id === begins) ?? fields[0])?.id ?? null;
+  const [opened, setOpened] = useState({ id: first as string | null, before: first ? (draft[first] ?? "") : "", focus: 0 });
+  // Another form may have no such word.
+  const open = fields.find((f) => f.id === opened.id)?.id ?? (opened.id === null ? null : first);
+
+  const shownOf = (f: ApproachField): Prompt["shown"] => {
+    const text = (draft[f.id] ?? "").trim();
+    if (text === "") return { text: f.optional ? t.approach.left : t.approach.empty, unit: "", soft: true };
+    const unit = unitText(t, f, context.unit !== 1);
+    const { value = null, written = null, incremental = false } = reading[f.id] ?? {};
+    if (f.kind === "side" || f.kind === "functions" || value === null || typeof written !== "number") return { text, unit, soft: false };
+    return { text: (incremental ? "I" : "") + (f.range[0] < 0 ? formatSigned(language, value) : text), unit, soft: false };
+  };
+  const promptOf = (f: ApproachField): Prompt => {
+    const { words } = t.approach;
+    const { prompt, label, about } = plane === "ZX" && f.id === "Z" ? words.turningZ : words[f.id];
+    const letter = f.id === "SIDE" ? "RL/RR" : f.id;
+    const [min, max] = f.range.map((n) => formatNumber(language, n, 4));
+    return {
+      id: f.id,
+      letter,
+      question: prompt,
+      label,
+      about,
+      page: ["guide", `${statement.departing ? "dep" : "appr"}-${statement.form.toLowerCase()}`, f.id],
+      name: t.approach.value(letter, prompt),
+      unit: unitText(t, f, context.unit !== 1),
+      range: f.kind === "side" || f.kind === "functions" ? null : t.dialog.range(min ?? "", max ?? ""),
+      notes: [...(f.optional ? [t.dialog.optional] : []), ...(f.increments ? [t.approach.incremental] : [])],
+      doubt: null,
+      choices: f.kind === "side" ? SIDES.map((value) => ({ value, meaning: t.approach.sides[value] })) : null,
+      optional: f.optional,
+      idle: false,
+      increments: f.increments ?? false,
+      auto: false,
+      decimals: 3,
+      shown: shownOf(f),
+    };
+  };
+  return {
+    fields: fields.map(promptOf),
+    draft,
+    readings: reading,
+    findings,
+    set: (id, text) => typed.set({ [id]: text }),
+    // What belongs to the block as a whole, or to a word that has no prompt, is said at every prompt.
+    besides: () =>
+      findings.flatMap((entry) => {
+        if (entry.at === null) return [{ entry }];
+        return fields.some((f) => f.id === entry.at) ? [] : [{ entry, place: entry.at }];
+      }),
+    picture: picture(open),
+    opened: { ...opened, id: open },
+    open: (id, before) => setOpened((o) => ({ id, before, focus: o.focus + 1 })),
+    mayFocus: () => opened.focus > 0,
+    asksParameters: false,
+    keypad: "words",
+  };
+}

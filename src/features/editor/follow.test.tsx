@@ -1,0 +1,149 @@
+import { EditorView } from "@codemirror/view";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { usePlace } from "../../app/place/place.ts";
+import { forget } from "../../app/document/steps.ts";
+import { begin, useEditor } from "../../app/document/store.ts";
+import { parse } from "../../nc/parse.ts";
+import { run } from "../../program/run.ts";
+import { shippedTools } from "../../program/shipped-tools.ts";
+import { trackOf } from "../../view/playback.ts";
+import { simulate } from "../../sim/simulate.ts";
+import { forgetOutcome, useOutcome, type Planned } from "../../app/calculation/outcome.ts";
+import { playback } from "../../app/calculation/playback.ts";
+import { filesOf } from "../../app/document/work.ts";
+import { followProgram } from "./follow.ts";
+import { closeSession, openBlock, openSession, sessionText, sessionView } from "../../app/fields/blocks/session.ts";
+
+const BEFORE = "0 BEGIN PGM A MM\n1 TOOL CALL 1\n", AFTER = "\n2 M30\n3 END PGM A MM\n";
+const WRITTEN = "CYCL DEF 811 SHOULDER, LONGITDNL. ~\nQ215=+0 ;MACHINING OPERATION ~\nQ460=+2.3 ;SAFETY CLEARANCE ~\nQ493=+41.7";
+let stop = () => undefined as void;
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  // What is placed nowhere is asked for its place when the text scrolls.
+  Range.prototype.getClientRects ??= () => [] as unknown as DOMRectList;
+  begin({ name: "A.H", text: BEFORE + AFTER, encoding: "utf-8" }, "w");
+  const { program } = useEditor.getState();
+  const view = program && openSession(program, "w");
+  if (!view) throw new Error("no program is open");
+  document.body.append(view.dom);
+  view.focus();
+  stop = followProgram();
+});
+afterEach(() => {
+  stop();
+  closeSession();
+  forget();
+  vi.useRealTimers();
+  usePlace.setState({ prompt: null });
+});
+
+/** A key at the cursor, and the rest after which panels follow. */
+function key(letter: string): void {
+  const view = sessionView();
+  const { head = 0 } = view?.state.selection.main ?? {};
+  view?.dispatch({ changes: { from: head, insert: letter }, selection: { anchor: head + letter.length }, userEvent: "input.type" });
+  vi.advanceTimersByTime(200);
+}
+
+test("a cycle definition is written by hand as it is typed, though its prompts open beside it", () => {
+  const view = sessionView();
+  view?.dispatch({ selection: { anchor: BEFORE.length } });
+  for (const letter of WRITTEN) key(letter);
+  expect(sessionText()).toBe(BEFORE + WRITTEN + AFTER);
+  expect(usePlace.getState().prompt).toBe("Q493");
+});
+
+test("a prompt that is opened in the dialog takes the text along", () => {
+  const view = sessionView();
+  view?.dispatch({ selection: { anchor: BEFORE.length } });
+  for (const letter of WRITTEN) key(letter);
+  openBlock(2);
+  usePlace.setState({ prompt: "Q460", before: "", field: null });
+  const line = view?.state.doc.lineAt(view.state.selection.main.head).text;
+  expect(line).toMatch(/^Q460/);
+});
+
+const TURNED = [
+  "BEGIN PGM A MM",
+  "BLK FORM CYLINDER Z D60 L80 DIST+0",
+  "FUNCTION MODE TURN",
+  "TOOL CALL 1",
+  "FUNCTION TURNDATA SPIN VCONST:ON VC:150",
+  "M136",
+  "L X+80 Z+10 R0 FMAX M303",
+  "; turned by hand",
+  "L X+58.3 FMAX",
+  "L Z-21.7 F0.2",
+  "L X+80 FMAX",
+  "M30",
+  "END PGM A MM",
+];
+
+/** Puts the program of blocks in place of the empty one. */
+function turned() {
+  const view = sessionView(), text = TURNED.join("\n");
+  view?.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text } });
+  vi.advanceTimersByTime(2000);
+  const { program } = useEditor.getState();
+  if (!view || !program || program.text !== text) throw new Error("the text was not handed over");
+  const made = run(parse(text), { tools: shippedTools, rapid: 10_000 });
+  const planned: Planned = { version: 1, text, files: filesOf(program), run: made, simulation: null };
+  return { view, made, planned };
+}
+
+/** Runs that program, and notes each mark and each place that the text is turned to, as blocks. */
+function played() {
+  const { view, made, planned } = turned();
+  useOutcome.setState({ planned, pictured: planned });
+  playback.dispatch({ do: "load", track: trackOf(made.steps) });
+  const scrolled = vi.spyOn(EditorView, "scrollIntoView");
+  return {
+    view,
+    steps: made.steps.length,
+    /** The marked block, and the one that the text was turned to since it was asked last. */
+    now: () => {
+      const line = view.dom.querySelector(".nc-running")?.textContent ?? null;
+      const places = scrolled.mock.calls.map(([at]) => view.state.doc.lineAt(typeof at === "number" ? at : at.from).text);
+      scrolled.mockClear();
+      return [line, ...places];
+    },
+  };
+}
+
+test("the text turns to the running block where somebody seeks, steps or plays, and not where its run changes or it leads itself", () => {
+  const { view, steps, now } = played();
+  view.dispatch({ selection: { anchor: 3 } });
+  const focus = document.activeElement;
+  now();
+  playback.dispatch({ do: "last" });
+  expect(now()).toEqual(["L X+80 FMAX", "L X+80 FMAX"]);
+  playback.dispatch({ do: "back" });
+  expect(now()).toEqual(["L X+80 FMAX", "L X+80 FMAX"]);
+  playback.dispatch({ do: "back" });
+  expect(now()).toEqual(["L Z-21.7 F0.2", "L Z-21.7 F0.2"]);
+  playback.dispatch({ do: "play" });
+  expect(now()).toEqual(["L Z-21.7 F0.2", "L Z-21.7 F0.2"]);
+  playback.dispatch({ do: "pause" });
+  now();
+  playback.dispatch({ do: "load", track: trackOf([...Array.from({ length: steps + 1 }, () => ({ seconds: 1 }))]) });
+  expect(now().slice(1)).toEqual([]);
+  playback.dispatch({ do: "first" });
+  expect(now()).toEqual([null, "L X+58.3 FMAX"]);
+  expect([view.state.selection.main.head, document.activeElement]).toEqual([3, focus]);
+  // What the text itself asks for is in sight already.
+  openBlock(9);
+  vi.advanceTimersByTime(2000);
+  expect(now()[0]).toBe("L Z-21.7 F0.2");
+});
+
+test("a block that was chosen before the program had run is gone to when it has", () => {
+  forgetOutcome();
+  const { view, made, planned } = turned();
+  view.dispatch({ selection: { anchor: view.state.doc.line(10).from }, userEvent: "select.pointer" });
+  vi.advanceTimersByTime(2000);
+  playback.dispatch({ do: "load", track: trackOf([]) });
+  useOutcome.setState({ planned, pictured: planned, newest: { ...planned, simulation: simulate(made) } });
+  expect(view.state.doc.line(10).text).toBe("L Z-21.7 F0.2");
+  expect(made.stepBlocks[playback.get().position.step]).toBe(9);
+});

@@ -1,0 +1,75 @@
+import { useLayoutEffect, useRef, useState } from "react";
+import { emptyProgram } from "../../../program/empty-program.ts";
+import { SETUP_FIELDS as FIELDS } from "../../../program/setup-fields.ts";
+import type { BlankDraft } from "../../../program/job.ts";
+import { openText } from "../../../app/fields/open/open-program.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { usePlace } from "../../../app/place/place.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
+import { AskedNumber, isUsable } from "./AskedNumber.tsx";
+import { askForOperation } from "../../../app/document/inserting.ts";
+import "./operations.css";
+
+const USUAL: BlankDraft = { outside: "80", bore: "0", length: "100", allowance: "1" };
+
+/** Asks for name and blank of a program, then for its first operation. */
+export function NewProgram({ done }: { readonly done: () => void }) {
+  const t = useTexts();
+  const words = t.operations;
+  const dialog = useRef<HTMLDialogElement>(null);
+  const [name, setName] = useState("PROGRAM");
+  const [blank, setBlank] = useState(USUAL);
+  useLayoutEffect(() => {
+    dialog.current?.showModal();
+    dialog.current?.querySelector("input")?.focus();
+  }, []);
+  const usable = name.trim() !== ""
+    && (["outside", "bore", "length", "allowance"] as const).every((each) => isUsable(FIELDS[each], blank[each]));
+  const number = (field: keyof BlankDraft, unit: string) => (
+    <AskedNumber name={t.setup.blank[field]} unit={unit} field={FIELDS[field]} text={blank[field]}
+      onText={(text) => setBlank((now) => ({ ...now, [field]: text }))} />
+  );
+  return (
+    <dialog ref={dialog} className="operation-dialog" aria-label={words.newProgram} onClose={done}
+      onKeyDown={(event) => event.stopPropagation()}
+    >
+      <header className="which-head">
+        <h2>{words.newProgram}</h2>
+        <button type="button" className="button icon plain" aria-label={words.close} onClick={() => dialog.current?.close()}>
+          <Icon name="close" />
+        </button>
+      </header>
+      <form className="operation-form" onSubmit={(event) => {
+        event.preventDefault();
+        if (!usable) return;
+        dialog.current?.close();
+        usePlace.setState({ section: "prompts", prompt: null, field: null });
+        openText(emptyProgram(name, blank));
+        askForOperation(null);
+      }}>
+        <div className="operation-body">
+          <div className="operation-ask">
+            <label className="wide">
+              <span>{words.programName}</span>
+              <input className="input" type="text" maxLength={32} autoComplete="off" spellCheck={false} value={name}
+                onFocus={(event) => event.currentTarget.select()} onChange={(event) => setName(event.currentTarget.value)} />
+            </label>
+          </div>
+          <section className="operation-group" aria-label={words.blank}>
+            <h3>{words.blank}</h3>
+            <div className="operation-ask">
+              {number("outside", t.setup.units.diameter)}
+              {number("bore", t.setup.units.diameter)}
+              {number("length", t.setup.units.mm)}
+              {number("allowance", t.setup.units.mm)}
+            </div>
+          </section>
+        </div>
+        <footer className="operation-foot">
+          <button type="button" className="button" onClick={() => dialog.current?.close()}>{words.cancel}</button>
+          <button type="submit" className="button primary" disabled={!usable}>{words.create}</button>
+        </footer>
+      </form>
+    </dialog>
+  );
+}

@@ -1,0 +1,44 @@
+import { useLayoutEffect, useRef } from "react";
+import { startLines } from "../../../nc/program.ts";
+import { useSession } from "../../../app/fields/blocks/session.ts";
+import { useFitsOfLine } from "../../../app/calculation/fits.ts";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
+import { ToolChoice } from "./ToolChoice.tsx";
+import "./operations.css";
+
+interface Props {
+  /** What the tool is for. */
+  readonly title: string;
+  /** The tool that is called now, as the program says it. */
+  readonly taken: string | null;
+  /** Index of the block that defines the cycle: its call is tried with each tool. */
+  readonly line: number;
+  readonly done: () => void;
+  readonly onTake: (tool: number) => void;
+}
+
+/** The tools of the table for an operation, those that make its contour first. */
+export function ToolDialog({ title, taken, line, done, onTake }: Props) {
+  const t = useTexts().operations;
+  const dialog = useRef<HTMLDialogElement>(null);
+  const program = useSession((s) => s.reading.program);
+  const fits = useFitsOfLine(startLines(program)[line] ?? null);
+  useLayoutEffect(() => dialog.current?.showModal(), []);
+  return (
+    <dialog ref={dialog} className="operation-dialog" aria-label={t.toolTitle(title)} onClose={done}
+      onKeyDown={(event) => event.stopPropagation()}
+    >
+      <header className="which-head">
+        <h2>{t.toolTitle(title)}</h2>
+        <button type="button" className="button icon plain" aria-label={t.close} onClick={() => dialog.current?.close()}>
+          <Icon name="close" />
+        </button>
+      </header>
+      <ToolChoice fits={fits} taken={taken} onTake={(tool) => {
+        dialog.current?.close();
+        onTake(tool);
+      }} />
+    </dialog>
+  );
+}

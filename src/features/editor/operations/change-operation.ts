@@ -1,0 +1,36 @@
+import type { Program } from "../../../nc/program.ts";
+import { duplicatedOperation, isRefused, movedOperation, retooledOperation, switchedOperation, withoutOperation,
+  type Refusal } from "../../../program/operation-edits.ts";
+import { isOff, operationsOf } from "../../../program/operations.ts";
+import { editProgram, useSession } from "../../../app/fields/blocks/session.ts";
+import { asOneStep } from "../../../app/document/steps.ts";
+import { changeProgram, useEditor } from "../../../app/document/store.ts";
+import { openingBlock } from "../../../app/fields/blocks/operation-rows.ts";
+
+const present = (): Program => useSession.getState().reading.program;
+
+/** Puts a changed program in place as one step of undo, with an operation open; what is refused changes nothing. */
+function put(next: Program | Refusal, unit: number): Refusal | null {
+  if (isRefused(next)) return next;
+  editProgram(next, null, openingBlock(next, unit));
+  return null;
+}
+
+export const moveOperation = (unit: number, to: number): Refusal | null => put(movedOperation(present(), unit, to), to);
+export const duplicateOperation = (unit: number): Refusal | null => put(duplicatedOperation(present(), unit), unit + 1);
+export const removeOperation = (unit: number): Refusal | null => put(withoutOperation(present(), unit), Math.max(0, unit - 1));
+export const retoolOperation = (unit: number, tool: number): Refusal | null => put(retooledOperation(present(), unit, tool), unit);
+
+/** Behind skip marks an operation is left out once the switch for them is on: both are one step. */
+export function switchOperation(unit: number): Refusal | null {
+  const program = present();
+  const own = operationsOf(program).units[unit];
+  if (!own) return null;
+  const on = isOff(program, own);
+  const next = switchedOperation(program, unit, on);
+  if (isRefused(next) || on || useEditor.getState().program?.skipMarked) return put(next, unit);
+  return asOneStep(() => {
+    changeProgram((work) => ({ ...work, skipMarked: true }));
+    return put(next, unit);
+  });
+}

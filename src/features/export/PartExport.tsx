@@ -1,0 +1,177 @@
+import { useId, useMemo, useRef, useState } from "react";
+import { loadExport } from "../../i18n/load-export.ts";
+import { formatNumber } from "../../i18n/number.ts";
+import type { ExportTexts } from "../../i18n/en/export.ts";
+import { DXF_CHORD, writeDxf } from "../../program/write-dxf.ts";
+import { contourSvg } from "../../view/contour-svg.ts";
+import { bodyStl } from "../../view/solid/export.ts";
+import { showsPlane, useAskedView } from "../../app/pictures/plane/shown-view.ts";
+import { downloadBytes, downloadText } from "../../app/base/download.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { playback } from "../../app/calculation/playback.ts";
+import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
+import { useLengths } from "../../app/calculation/lengths.ts";
+import { laterTexts } from "../../app/base/settings/later-texts.ts";
+import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
+import { useModal } from "../../app/base/use-modal.ts";
+import { BODIES, bodiesOf, contoursOf, drawnTogether, layersOf, turnedMoment, type BodyName, type OfferedBody,
+  type OfferedContour } from "./exports.ts";
+import "./export.css";
+
+const { useThemSoon: useExportTexts } = laterTexts(loadExport);
+
+/** Writes bodies and contour of the open work, as they are when the dialog opens. `stem`: begin of the names of the files. */
+export function PartExport({ stem, done }: { readonly stem: string; readonly done: () => void }) {
+  const words = useExportTexts();
+  return words && <Opened words={words} stem={stem} done={done} />;
+}
+
+function Opened({ words: t, stem, done }: { readonly words: ExportTexts; readonly stem: string; readonly done: () => void }) {
+  const { close } = useFirstTexts().page, lengths = useLengths();
+  const shown = useOutcome((s) => s.shown), dimmed = useOutcome((s) => s.dimmed);
+  const dialog = useRef<HTMLDialogElement>(null);
+  const [said, say] = useState("");
+  useModal(dialog, ".export-part button:not(:disabled)");
+  return (
+    <dialog ref={dialog} className="export-part" aria-label={t.title} onClose={() => !dialog.current?.open && done()}
+      onKeyDown={(event) => event.stopPropagation()}
+    >
+      <div className="export-part-head">
+        <h2>{t.title}</h2>
+        <button type="button" className="button icon plain" aria-label={close} onClick={() => dialog.current?.close()}>
+          <Icon name="close" />
+        </button>
+      </div>
+      <p>{lengths.unit === "mm" ? t.lead : t.leadInches}</p>
+      {dimmed && <Warning text={t.older} />}
+      {!shown || shown.isBeginning ? <p role="status">{t.beginning}</p> : (
+        <>
+          <Bodies words={t} outcome={shown} stem={stem} say={say} />
+          <Contours words={t} outcome={shown} stem={stem} say={say} />
+        </>
+      )}
+      <p role="status" className="export-said">{said}</p>
+    </dialog>
+  );
+}
+
+const Warning = ({ text }: { readonly text: string }) => (
+  <p className="field-message warning">
+    <Icon name="warning" /> {text}
+  </p>
+);
+
+interface Part {
+  readonly words: ExportTexts;
+  readonly outcome: Outcome;
+  readonly stem: string;
+  readonly say: (text: string) => void;
+}
+
+function Bodies({ words: t, outcome: { run, simulation }, stem, say }: Part) {
+  const lengths = useLengths(run), { language } = lengths;
+  const asked = useAskedView((v) => v.asked), { position: shown } = playback.get();
+  const position = useMemo(() => turnedMoment(run, shown, showsPlane(run, asked)), [run, shown, asked]);
+  const bodies = useMemo(() => bodiesOf(run, simulation, position), [run, simulation, position]);
+  const count = (n: number) => formatNumber(language, n, 0);
+  const hint = (name: BodyName, body: OfferedBody) => {
+    if (name === "stock") return t.bodyHint.stock(count(position.step), count(run.steps.length));
+    return "isLeft" in body ? t.bodyHint.left : t.bodyHint[name];
+  };
+  const save = (name: BodyName, body: OfferedBody) => {
+    if ("lack" in body) return;
+    const file = `${stem}_${t.file[name]}.stl`, { bytes, volume, hasRings } = bodyStl(body, `${stem} ${name}`);
+    downloadBytes(bytes, file);
+    const saved = t.saved(file, lengths.volume(volume));
+    say(hasRings ? `${saved} ${t.rings}` : saved);
+  };
+  return (
+    <section aria-label={t.bodies}>
+      <h3>{t.bodies}</h3>
+      <ul className="export-bodies">
+        {BODIES.map((name) => {
+          const body = bodies[name], lacks = "lack" in body;
+          return (
+            <li key={name}>
+              <div>
+                <b>{t.body[name]}</b>
+                <p className="small soft">{lacks ? t.lack[body.lack] : hint(name, body)}</p>
+              </div>
+              <button type="button" className="button" disabled={lacks} aria-label={t.save(t.body[name], "STL")}
+                onClick={() => save(name, body)}
+              >
+                <Icon name="download" /> STL
+              </button>
+            </li>
+          );
+        })}
+      </ul>
+      <p className="small soft">{t.bodiesHint}</p>
+      {run.plane.length > 0 && run.steps.length > 0 && <Warning text={t.milling} />}
+      {run.unproved.length > 0 && <Warning text={t.unproved} />}
+    </section>
+  );
+}
+
+const ALL = "all";
+
+function Contours({ words: t, outcome: { run }, stem, say }: Part) {
+  const group = useId(), lengths = useLengths(), contours = useMemo(() => contoursOf(run), [run]);
+  const together = drawnTogether(contours);
+  const [chosen, choose] = useState<string>(together ? ALL : "0"), [diameters, setDiameters] = useState(false);
+  if (contours.length === 0) {
+    return (
+      <section aria-label={t.contour}>
+        <h3>{t.contour}</h3>
+        <p className="soft">{t.lack.noContour}</p>
+      </section>
+    );
+  }
+  const isChosen = (_: unknown, i: number) => chosen === ALL || chosen === String(i);
+  const layers = layersOf(contours).filter(isChosen), isTurned = contours.find(isChosen)?.plane === "ZX";
+  const own = contours.length > 1 && chosen !== ALL ? `${stem}_${Number(chosen) + 1}` : stem;
+  const save = (text: string, ending: string) => {
+    const file = `${own}.${ending}`;
+    downloadText(text, file);
+    say(t.savedFile(file));
+  };
+  const name = ({ block, cycle }: OfferedContour) => (cycle === null ? t.milled(String(block)) : t.one(String(block), String(cycle)));
+  return (
+    <section aria-label={t.contour}>
+      <h3>{t.contour}</h3>
+      {contours.length > 1 && (
+        <label>
+          <span>{t.which}</span>
+          <select className="select" value={chosen} onChange={(event) => choose(event.target.value)}>
+            {together && <option value={ALL}>{t.all}</option>}
+            {contours.map((each, i) => <option key={i} value={i}>{name(each)}</option>)}
+          </select>
+        </label>
+      )}
+      {isTurned && (
+        <fieldset>
+          <legend>{t.across}</legend>
+          {([false, true] as const).map((each) => (
+            <label key={String(each)}>
+              <input type="radio" name={group} checked={diameters === each} onChange={() => setDiameters(each)} />
+              {each ? t.diameter(`${lengths.number(DXF_CHORD)} ${lengths.unit}`) : t.radius}
+            </label>
+          ))}
+        </fieldset>
+      )}
+      <p className="small soft">{isTurned ? `${t.acrossHint} ${t.svgHint}` : t.planeHint}</p>
+      <div className="export-ways">
+        <button type="button" className="button" aria-label={t.save(t.contour, "DXF")}
+          onClick={() => save(writeDxf(layers, isTurned && diameters, run.program.unit), "dxf")}
+        >
+          <Icon name="download" /> DXF
+        </button>
+        <button type="button" className="button" aria-label={t.save(t.contour, "SVG")}
+          onClick={() => save(contourSvg(layers) ?? "", "svg")}
+        >
+          <Icon name="download" /> SVG
+        </button>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,49 @@
+import { useRef } from "react";
+import { filesOf, type ProgramWork } from "../../app/document/work.ts";
+import { endChoice, type ProgramChoice } from "../../app/document/choice.ts";
+import { useFilesTexts } from "../../app/base/use-files-texts.ts";
+import { useModal } from "../../app/base/use-modal.ts";
+
+/** Asks which of several programs are opened. Closing it opens none. */
+export function ChooseProgram({ works, skipped, isCut, open, together }: ProgramChoice) {
+  const t = useFilesTexts();
+  const dialog = useRef<HTMLDialogElement>(null);
+  useModal(dialog);
+  const take = (chosen: readonly ProgramWork[]) => () => {
+    dialog.current?.close();
+    open(chosen);
+  };
+  const words = t?.choose;
+  return (
+    <dialog ref={dialog} className="choose-program" aria-label={words?.title} onClose={() => !dialog.current?.open && endChoice()}>
+      {t && words && (
+        <>
+          <h2>{words.title}</h2>
+          <p>{words.lead(works.length)}</p>
+          <ul className="choose-list">
+            {works.map((work) => (
+              <li key={work.name}>
+                <button type="button" className="button" aria-label={words.open(work.name)} onClick={take([work])}>
+                  <span className="file-name number">{work.name}</span>
+                  <span className="soft small">{filesOf(work).length > 0 ? words.with(filesOf(work).length) : words.alone}</span>
+                </button>
+              </li>
+            ))}
+          </ul>
+          {skipped > 0 && <p className="soft small">{words.skipped(skipped)}</p>}
+          {isCut && <p className="soft small">{words.cut}</p>}
+          <div className="program-ways">
+            <button type="button" className="button primary" onClick={take(works)}>{words.all(works.length)}</button>
+            <button type="button" className="button" onClick={() => {
+              dialog.current?.close();
+              together();
+            }}>
+              {words.together}
+            </button>
+            <button type="button" className="button" onClick={() => dialog.current?.close()}>{t.cancel}</button>
+          </div>
+        </>
+      )}
+    </dialog>
+  );
+}

@@ -1,0 +1,38 @@
+import { useLayoutEffect, useState } from "react";
+import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
+import { openDropped } from "../../app/fields/open/open-program.ts";
+
+const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
+
+/** A program file may be dropped anywhere on the page; while it hovers, the page says so. */
+export function DropProgram() {
+  const t = useFirstTexts().page.programs;
+  const [over, setOver] = useState(false);
+  // As soon as the page is seen, a file may fall on it.
+  useLayoutEffect(() => {
+    const hover = (event: DragEvent) => {
+      if (!carriesFile(event)) return;
+      event.preventDefault();
+      setOver(true);
+    };
+    const leave = (event: DragEvent) => {
+      if (!event.relatedTarget) setOver(false);
+    };
+    const drop = (event: DragEvent) => {
+      setOver(false);
+      if (!carriesFile(event) || !event.dataTransfer) return;
+      event.preventDefault();
+      event.stopPropagation();
+      void openDropped(event.dataTransfer);
+    };
+    addEventListener("dragover", hover);
+    addEventListener("dragleave", leave);
+    addEventListener("drop", drop, true);
+    return () => {
+      removeEventListener("dragover", hover);
+      removeEventListener("dragleave", leave);
+      removeEventListener("drop", drop, true);
+    };
+  }, []);
+  return over ? <p className="drop-here">{t.dropHere}</p> : null;
+}

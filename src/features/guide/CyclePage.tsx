@@ -1,0 +1,62 @@
+import type { Cycle } from "../../cycles/define.ts";
+import { isRecalled } from "../../cycles/params.ts";
+import type { CycleNumber, ParamTextId } from "../../cycles/index.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
+import { showGuide } from "../../app/place/guide-place.ts";
+import { StepPlayer } from "./StepPlayer.tsx";
+import { useCycleRun } from "./use-cycle-run.ts";
+import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
+
+/** The numbered steps of a cycle as they run. */
+function CycleSteps({ cycle }: { readonly cycle: Cycle }) {
+  const t = useGuideTexts();
+  const run = useCycleRun(cycle);
+  return (
+    <section className="guide-steps">
+      <h2>{t.steps.title}</h2>
+      <p className="soft">{t.steps.lead}</p>
+      {run === undefined && <p className="guide-working soft" role="status">{t.values.working}</p>}
+      {run === null && <p className="soft">{t.values.none}</p>}
+      {run && <StepPlayer cycle={cycle} run={run} />}
+    </section>
+  );
+}
+
+/** The page of a cycle: what it does, its steps as they run, and the way to each of its parameters. */
+export function CyclePage({ cycle }: { readonly cycle: Cycle }) {
+  const t = useGuideTexts();
+  const { cycles, dialog, params } = useTexts();
+  const words = cycles.of[cycle.number as CycleNumber];
+  return (
+    <SaidOnPage texts={[...words.description, ...words.notes]}>
+      <header className="guide-head">
+        <h1>
+          <span className="number prompt-q">{cycle.number}</span> {words.name}
+        </h1>
+        {words.description.map((sentence) => (
+          <p key={sentence}>
+            <Said text={sentence} />
+          </p>
+        ))}
+        {isRecalled(cycle) && <p className="soft small">{dialog.recalled}</p>}
+      </header>
+      {!cycle.acts && <CycleSteps cycle={cycle} />}
+      {Object.keys(cycle.params).length > 0 && (
+        <section aria-label={t.parameters}>
+          <h2>{t.parameters}</h2>
+          <ul className="guide-links">
+            {Object.entries(cycle.params).map(([q, { text }]) => (
+              <li key={q}>
+                <button type="button" className="guide-link" onClick={() => showGuide("guide", String(cycle.number), q)}>
+                  <b className="number">{q}</b> {params[text as ParamTextId].label}
+                </button>
+              </li>
+            ))}
+          </ul>
+        </section>
+      )}
+      {words.notes.length > 0 && <SaidList texts={words.notes} className="guide-notes soft" />}
+    </SaidOnPage>
+  );
+}

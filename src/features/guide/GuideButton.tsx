@@ -1,0 +1,11 @@
+import type { ReactNode } from "react";
+import { showGuide, type GuidePath } from "../../app/place/guide-place.ts";
+
+/** The way to another page of the guide, in a list of such ways. */
+export function GuideButton({ to, children }: { readonly to: GuidePath; readonly children: ReactNode }) {
+  return (
+    <li>
+      <button type="button" className="guide-link" onClick={() => showGuide(...to)}>{children}</button>
+    </li>
+  );
+}

@@ -1,0 +1,45 @@
+import { setMaterial } from "../../app/document/edits.ts";
+import { changeSettings, useSettings } from "../../app/base/settings/settings.ts";
+import { useEditor } from "../../app/document/store.ts";
+import { useAdviceTexts, useCuttingTable, useMaterialOfWork } from "../../app/fields/said/use-advice.ts";
+
+function Materials() {
+  const { materials } = useCuttingTable();
+  return materials.map(({ id, name, group }) => <option key={id} value={id}>{`${group} · ${name}`}</option>);
+}
+
+/** The material of the open work. */
+export function WorkMaterial() {
+  const t = useAdviceTexts();
+  const { own } = useMaterialOfWork();
+  return (
+    <label>
+      <span>{t.material}</span>
+      <select className="select" value={own ?? ""} onChange={(event) => setMaterial(event.currentTarget.value)}>
+        <option value="">{t.ofDevice}</option>
+        <Materials />
+      </select>
+    </label>
+  );
+}
+
+/** The material of the open work, and of works that name none. */
+export function MaterialChoice() {
+  const t = useAdviceTexts();
+  const { materials } = useCuttingTable();
+  const device = useSettings((s) => s.material);
+  const isOpen = useEditor((s) => s.work !== null);
+  return (
+    <div className="advice-materials">
+      {isOpen && <WorkMaterial />}
+      <label>
+        <span>{t.deviceMaterial}</span>
+        <select className="select" value={materials.some(({ id }) => id === device) ? device : materials[0]?.id}
+          onChange={(event) => changeSettings({ material: event.currentTarget.value })}
+        >
+          <Materials />
+        </select>
+      </label>
+    </div>
+  );
+}

@@ -1,0 +1,53 @@
+import { formatNumber } from "../../i18n/number.ts";
+import { OWN_DECIMALS, type OwnCycle } from "../../program/own-cycle.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
+
+/** The page of a cycle that the operator has described, one of its parameters first: what is known of it, and that nobody here runs it. */
+export function OwnCyclePage({ own, q }: { readonly own: OwnCycle; readonly q: string | null }) {
+  const t = useGuideTexts();
+  const { dialog } = useTexts();
+  const { own: words } = useTableTexts();
+  const language = useSettings((s) => s.language);
+  const number = (value: number) => formatNumber(language, value, OWN_DECIMALS);
+  const sorted = own.parameters.toSorted((a, b) => Number(b.q === q) - Number(a.q === q));
+  return (
+    <>
+      <header className="guide-head">
+        <h1>
+          <span className="number prompt-q">{own.number}</span> {own.name}
+        </h1>
+        <p>{words.unprovedLong}</p>
+      </header>
+      <section aria-label={t.parameters}>
+        <h2>{t.parameters}</h2>
+        <dl className="guide-points">
+          {sorted.map((param) => (
+            <div key={param.q} data-asked={param.q === q || undefined}>
+              <dt>
+                <b className="number">{param.q}</b> {param.prompt}
+              </dt>
+              <dd>
+                {param.choices
+                  ? (
+                    <ul>
+                      {param.choices.map(({ value, meaning }) => (
+                        <li key={value}>
+                          <b className="number">{value}</b> {meaning}
+                        </li>
+                      ))}
+                    </ul>
+                  )
+                  : param.bounded
+                  ? `${t.range}: ${dialog.range(number(param.range[0]), number(param.range[1]))}`
+                  : words.anyNumber}
+              </dd>
+            </div>
+          ))}
+        </dl>
+      </section>
+    </>
+  );
+}

@@ -1,0 +1,38 @@
+import { cycleByNumber } from "../../cycles/index.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { showGuide, type GuidePath } from "../../app/place/guide-place.ts";
+import { useAdviceOn, useAdviceTextsSoon } from "../../app/fields/said/use-advice.ts";
+import { useGuideTextsSoon } from "../../app/fields/said/use-guide-texts.ts";
+import "../../app/fields/said/prompt-more.css";
+
+/** A quiet mark where there is advice on the value of a prompt. */
+function AdviceMark({ cycle, q }: { readonly cycle: number; readonly q: string }) {
+  const t = useAdviceTextsSoon();
+  const { length: count } = useAdviceOn(cycle, q);
+  if (!t || count === 0) return null;
+  return (
+    <button type="button" className="prompt-more prompt-advice" onClick={() => showGuide("guide", String(cycle), q)}>
+      <Icon name="info" /> {t.mark(count)}
+    </button>
+  );
+}
+
+/** The way from a prompt to its page of the guide, and to what there is to say about its value. */
+export function PromptMore({ page, name }: { readonly page: GuidePath; readonly name: string }) {
+  const t = useGuideTextsSoon();
+  const on = useSettings((s) => s.advice);
+  if (!t) return null;
+  const [, first, q] = page;
+  const cycle = Number(first);
+  return (
+    <span className="prompt-ways">
+      {on && q !== undefined && cycleByNumber(cycle)?.params[q] && <AdviceMark cycle={cycle} q={q} />}
+      <button type="button" className="prompt-more" aria-label={t.moreAbout(name)} title={t.moreAbout(name)}
+        onClick={() => showGuide(...page)}
+      >
+        <Icon name="question" /> {t.more}
+      </button>
+    </span>
+  );
+}

@@ -1,0 +1,39 @@
+import type { Cycle } from "../../cycles/define.ts";
+import { formatNumber } from "../../i18n/number.ts";
+import { SPINDLE } from "../../report/advice/advise.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { startingValues } from "./starting.ts";
+import { StartingRows } from "./StartingRows.tsx";
+import { useAdviceTexts, useMaterialOfWork } from "../../app/fields/said/use-advice.ts";
+import { WorkMaterial } from "./MaterialChoice.tsx";
+import "./setup-start.css";
+
+interface Props {
+  readonly cycle: Cycle;
+  /** The spindle keeps the cutting speed: a speed can be taken over. */
+  readonly surface: boolean;
+  /** Feeds count a turn, as the starting values do. */
+  readonly perRevolution: boolean;
+}
+
+/** What the material of the work is usually begun with, quietly below the speed of the set-up. */
+export function SetupStart({ cycle, surface, perRevolution }: Props) {
+  const t = useAdviceTexts();
+  const language = useSettings((s) => s.language);
+  const on = useSettings((s) => s.advice);
+  const own = useSettings((s) => s.cutting !== "");
+  const { material } = useMaterialOfWork();
+  if (!on) return null;
+  const rows = startingValues(cycle, material).filter(({ at }) => at === SPINDLE ? surface : perRevolution);
+  const speeds = [material.roughSpeed, material.finishSpeed].map((speed) => formatNumber(language, speed)).join("–");
+  return (
+    <section className="setup-start" aria-label={t.starting}>
+      <WorkMaterial />
+      <p>
+        {t.start(`${material.name}, ${t.groups[material.group]}`, `${speeds} ${t.units.speed}`)}{" "}
+        <span className="soft">{own ? t.startOwn : t.startSource}</span>
+      </p>
+      <StartingRows cycle={cycle.number} rows={rows} />
+    </section>
+  );
+}

@@ -1,0 +1,32 @@
+import { formatNumber } from "../../i18n/number.ts";
+import { SPINDLE } from "../../report/advice/advise.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import type { StartingValue } from "./starting.ts";
+import { takeValue, useTaking } from "./take-value.ts";
+import { useAdviceTexts } from "../../app/fields/said/use-advice.ts";
+import "./setup-start.css";
+
+/** Starting values, each with the way into the work. */
+export function StartingRows({ cycle, rows }: { readonly cycle: number; readonly rows: readonly StartingValue[] }) {
+  const t = useAdviceTexts();
+  const language = useSettings((s) => s.language);
+  const canTake = useTaking(cycle);
+  return (
+    <ul className="starting-rows">
+      {rows.map(({ at, of, value }) => {
+        const name = t.values[of], take = t.take(formatNumber(language, value));
+        return (
+          <li key={of}>
+            <span>{at !== SPINDLE && <b className="number">{at}</b>} {name}</span>
+            <span className="number">{formatNumber(language, value)} {at === SPINDLE ? t.units.speed : t.units.feed}</span>
+            {canTake(at) && (
+              <button type="button" className="button" aria-label={`${name}: ${take}`} onClick={() => void takeValue(cycle, at, value)}>
+                {take}
+              </button>
+            )}
+          </li>
+        );
+      })}
+    </ul>
+  );
+}

@@ -1,0 +1,32 @@
+import { useEffect } from "react";
+import { formatNumber } from "../../i18n/number.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { undo } from "../../app/document/steps.ts";
+import { keepFocus } from "./keep-focus.ts";
+import { forgetTaken, useTaken } from "./taken.ts";
+import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
+
+/** Says which value was taken over from this page into the work, and takes it back. */
+export function Taken({ page }: { readonly page: string }) {
+  const t = useGuideTexts();
+  const language = useSettings((s) => s.language);
+  const taken = useTaken();
+  useEffect(forgetTaken, [page]);
+  return (
+    <div className="guide-taken" role="status">
+      {taken && (
+        <p>
+          <Icon name="check" />
+          <span>{t.taken(taken.letter, typeof taken.value === "number" ? formatNumber(language, taken.value) : taken.value)}</span>
+          <button type="button" className="button" onClick={(event) => {
+            keepFocus(event.currentTarget, "main");
+            undo();
+          }}>
+            <Icon name="undo" /> {t.takeBack}
+          </button>
+        </p>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,79 @@
+import { useEffect, useState } from "react";
+import type { ParamTextId } from "../../cycles/index.ts";
+import type { GlossaryTexts, TermId } from "../../i18n/glossary-text.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { fetchLesson, inScreenLanguage, useCourseIndex, type LessonEntry } from "../../app/records/course/content.ts";
+import { courseHref } from "../../app/place/course-links.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { setupPageWords } from "./setup-page-words.ts";
+import { usesTerm, usingParameters, usingSetupPages } from "./term-uses.ts";
+import { useGlossary } from "../../app/fields/said/use-glossary.ts";
+import { useGuidePlaces } from "./use-guide-places.ts";
+import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
+
+/** A page of a lesson that uses a word first. */
+interface UsingLesson {
+  readonly entry: LessonEntry;
+  readonly page: number;
+}
+
+/** The lessons that use a word, each with its first page that does; they come one after the other. */
+function useLessons(term: TermId, glossary: GlossaryTexts, language: Language): readonly UsingLesson[] {
+  const { lessons } = useCourseIndex();
+  const [found, find] = useState<readonly UsingLesson[]>([]);
+  useEffect(() => {
+    let gone = false;
+    void (async () => {
+      for (const entry of lessons) {
+        const lesson = await fetchLesson(entry.id).catch(() => null);
+        if (gone) return;
+        const pages = lesson ? inScreenLanguage(lesson.words, language)?.pages ?? [] : [];
+        const at = pages.findIndex((text) => usesTerm([text], term, glossary, language));
+        if (at >= 0) find((was) => [...was.filter((each) => each.entry.id !== entry.id), { entry, page: at + 1 }]);
+      }
+    })();
+    return () => {
+      gone = true;
+    };
+  }, [lessons, term, glossary, language]);
+  return found;
+}
+
+/** Where a word is used: the prompts whose pages speak of it, the set-up, and the lessons. */
+export function TermUses({ term }: { readonly term: TermId }) {
+  const { glossary: t } = useGuideTexts();
+  const texts = useTexts();
+  const places = useGuidePlaces();
+  const glossary = useGlossary();
+  const language = useSettings((s) => s.language);
+  const lessons = useLessons(term, glossary, language);
+  const parameters = usingParameters(term), setup = usingSetupPages(term, places, glossary, language);
+  if (parameters.length + setup.length + lessons.length === 0) return null;
+  return (
+    <section className="term-uses" aria-label={t.used}>
+      <h2>{t.used}</h2>
+      <ul>
+        {parameters.map(({ cycle, q, text }) => (
+          <li key={text}>
+            <a href={`#/guide/${cycle}/${q}`}>
+              <b className="number">{q}</b> {texts.params[text as ParamTextId].label}
+            </a>
+          </li>
+        ))}
+        {setup.map((id) => (
+          <li key={id}>
+            <a href={`#/guide/setup/${id}`}>
+              <b className="number">{setupPageWords(texts, id).letter}</b> {setupPageWords(texts, id).name}
+            </a>
+          </li>
+        ))}
+        {lessons.map(({ entry, page }) => (
+          <li key={entry.id}>
+            <a href={courseHref(entry.id, page)}>{t.lesson(String(entry.number), entry.title)}</a>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}

@@ -1,0 +1,92 @@
+import type { Cycle } from "../../cycles/define.ts";
+import { beginsAtTip } from "../../cycles/wanted.ts";
+import type { Spindle } from "../../kernel/step.ts";
+import { toDiameter } from "../../kernel/units.ts";
+import { exampleJob, UNSET, type Job, type SetJob, type SpindleDraft } from "../../program/job.ts";
+import type { Operation } from "../../program/run-types.ts";
+import { positionAsTyped } from "../../program/typed-value.ts";
+import { rowsOf } from "../../program/wanted-shape.ts";
+import { broughtBy } from "../../app/document/work.ts";
+import { outcomeBeside } from "../../app/calculation/beside.ts";
+import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
+import { printedText } from "../../app/document/printed.ts";
+import { readJob, setJobOf } from "../../app/document/reading.ts";
+import { handedOn, useEditor } from "../../app/document/store.ts";
+import { toolTable } from "../../app/document/work-tools.ts";
+import { useShownBeside } from "../../app/document/shown-file.ts";
+import { useOpenCall } from "../../app/place/guide-place.ts";
+import { speaksOf } from "../../app/fields/said/open-call.ts";
+
+/** What the guide shows a cycle with: the operator's own values, or those of the example. */
+export interface GuideSource {
+  readonly job: SetJob;
+  readonly isOwn: boolean;
+}
+
+const typedValues = (values: Readonly<Record<string, number | "auto">>) =>
+  Object.fromEntries(Object.entries(values).map(([q, value]) => [q, value === "auto" ? "FAUTO" : String(value)]));
+
+/** How the spindle turns, as it would be typed; a limit that the program does not give stays that of the example. */
+function spindleAsTyped(spindle: Spindle | null, { spindle: example }: Job): SpindleDraft {
+  if (!spindle) return example;
+  if (spindle.kind === "constant") return { ...example, mode: "constant", speed: String(spindle.speed) };
+  const { cuttingSpeed, limit } = spindle;
+  return { ...example, mode: "surface", cuttingSpeed: String(cuttingSpeed), ...(limit > 0 && { limit: String(limit) }) };
+}
+
+/** Jobs that were made of calls. */
+const ofCall = new WeakMap<Operation, Job>();
+
+/**
+ * A call of the cycle in the open program, that of the open block, else the first: its values and its contour as they ran, its tool and
+ * spindle; on a blank that is proposed for them, from its own start where the contour begins there.
+ */
+function ofProgram(cycle: Cycle): Job | null {
+  if (!useEditor.getState().program) return null;
+  const operation = useOutcome.getState().newest?.run.operations.find(speaksOf(cycle.number));
+  if (!operation?.call) return null;
+  const known = ofCall.get(operation);
+  if (known) return known;
+  const { values, given: { contour }, start } = operation.call;
+  if (cycle.contour === "free" && !contour) return null;
+  const example = exampleJob(cycle);
+  const job: Job = {
+    ...example,
+    ...UNSET,
+    drafts: { [cycle.number]: typedValues(values as Readonly<Record<string, number | "auto">>) },
+    contour: rowsOf(contour ?? []),
+    tool: operation.tool.T,
+    spindle: spindleAsTyped(operation.spindle, example),
+    perRevolution: operation.feedUnit === "mm/rev",
+    ...(beginsAtTip(cycle) && { start: { x: positionAsTyped(toDiameter(start.r)), z: positionAsTyped(start.z) } }),
+  };
+  ofCall.set(operation, job);
+  return job;
+}
+
+/** What a cycle may be shown with, the best first: as it stands in the open work, then the example of its list. */
+export function guideSources(cycle: Cycle): readonly GuideSource[] {
+  const { job } = useEditor.getState();
+  const typed = job?.cycle === cycle.number ? job : ofProgram(cycle);
+  const own = typed && readJob(typed);
+  const example = { job: setJobOf(exampleJob(cycle)), isOwn: false };
+  return own?.reading.values ? [{ job: own.job, isOwn: true }, example] : [example];
+}
+
+/** What changes whenever a cycle is to be shown with other values than before. */
+export function useGuideSource(cycle: Cycle): string {
+  useEditor();
+  useOutcome((s) => s.newest);
+  useOpenCall();
+  useShownBeside();
+  return JSON.stringify(guideSources(cycle).map(({ job: { remarks: _, measured: __, name: ___, ...job } }) => job));
+}
+
+/** A job run beside the open work; null when that cannot be said. */
+export const ranBeside = (job: SetJob): Promise<Outcome | null> =>
+  outcomeBeside({
+    name: `${job.name}.h`,
+    text: printedText(job, toolTable().tools),
+    encoding: "utf-8",
+    ...broughtBy(handedOn(useEditor.getState())),
+  }, job);

@@ -1,0 +1,34 @@
+import { useEffect, useState } from "react";
+import type { Cycle } from "../../cycles/define.ts";
+import { makesPath } from "../../report/guide/shown-effect.ts";
+import type { Outcome } from "../../app/calculation/outcome.ts";
+import { guideSources, ranBeside } from "./guide-source.ts";
+
+/** A cycle as it runs, with the operator's values or those of the example. */
+export interface CycleRun {
+  readonly isOwn: boolean;
+  readonly outcome: Outcome;
+}
+
+async function runOf(cycle: Cycle): Promise<CycleRun | null> {
+  for (const { job, isOwn } of guideSources(cycle)) {
+    const outcome = await ranBeside(job);
+    if (outcome && makesPath(outcome)) return { isOwn, outcome };
+  }
+  return null;
+}
+
+/** A cycle run for its guide; undefined while it runs, null where that cannot be said. */
+export function useCycleRun(cycle: Cycle): CycleRun | null | undefined {
+  const [made, put] = useState<{ readonly cycle: Cycle; readonly run: CycleRun | null } | null>(null);
+  useEffect(() => {
+    let gone = false;
+    void runOf(cycle).then((run) => {
+      if (!gone) put({ cycle, run });
+    });
+    return () => {
+      gone = true;
+    };
+  }, [cycle]);
+  return made?.cycle === cycle ? made.run : undefined;
+}

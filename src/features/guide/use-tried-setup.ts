@@ -1,0 +1,36 @@
+import { useCallback } from "react";
+import type { Cycle } from "../../cycles/define.ts";
+import { toolTable } from "../../app/document/work-tools.ts";
+import { guideSources, ranBeside, useGuideSource } from "./guide-source.ts";
+import { setupVariants, type SetupPageId } from "./setup-variants.ts";
+import { compared, type RanValue, type TriedOutcome } from "./tried.ts";
+import { useMade, type MadeForPage } from "./use-made.ts";
+import type { Box } from "../../kernel/geometry/segments.ts";
+
+/** A place of the set-up shown at its values. */
+export interface TriedSetup {
+  readonly isOwn: boolean;
+  readonly tried: readonly (TriedOutcome & { readonly value: number })[];
+  readonly box: Box;
+}
+
+/** Runs a cycle with other values at a place of its set-up; null where it makes no path. */
+async function trySetup(cycle: Cycle, id: SetupPageId, goesOn: () => boolean): Promise<TriedSetup | null> {
+  for (const { job, isOwn } of guideSources(cycle)) {
+    const ran: (RanValue & { readonly value: number })[] = [];
+    for (const { value, isUsual, job: other } of setupVariants(id, job, toolTable().tools)) {
+      if (!goesOn()) return null;
+      const outcome = await ranBeside(other);
+      if (outcome) ran.push({ value, isUsual, outcome });
+    }
+    const shown = compared(ran);
+    if (shown) return { isOwn, ...shown };
+  }
+  return null;
+}
+
+/** A place of the set-up at its values, run again when the open work changes. */
+export function useTriedSetup(cycle: Cycle, id: SetupPageId): MadeForPage<TriedSetup> {
+  const make = useCallback((goesOn: () => boolean) => trySetup(cycle, id, goesOn), [cycle, id]);
+  return useMade(`${cycle.number} ${id}`, useGuideSource(cycle), make);
+}

@@ -1,0 +1,65 @@
+import { useCallback } from "react";
+import type { Cycle } from "../../cycles/define.ts";
+import type { Box } from "../../kernel/geometry/segments.ts";
+import type { SetJob } from "../../program/job.ts";
+import { demonstrate } from "../../report/guide/demonstrate.ts";
+import { givenOf } from "../../app/calculation/given.ts";
+import { readJob } from "../../app/document/reading.ts";
+import { guideSources, ranBeside, useGuideSource } from "./guide-source.ts";
+import { compared, type TriedOutcome } from "./tried.ts";
+import { useMade, type MadeForPage } from "./use-made.ts";
+
+/** A value with what comes of it. */
+export interface TriedValue extends TriedOutcome {
+  readonly value: number | "auto";
+}
+
+/** A parameter shown at its values. */
+export interface TriedValues {
+  readonly isOwn: boolean;
+  /** The value that stands in the work, or in the example. */
+  readonly standing: number | "auto" | undefined;
+  /** Other values that had to be changed so that something is seen, by Q. */
+  readonly needed: Readonly<Record<string, number>>;
+  /** Some of the values look like another one. */
+  readonly isUnseen: boolean;
+  readonly tried: readonly TriedValue[];
+  readonly box: Box;
+}
+
+const typed = (value: number | "auto") => (value === "auto" ? "FAUTO" : String(value));
+
+const jobWith = (job: SetJob, values: Readonly<Record<string, number | "auto">>): SetJob => ({
+  ...job,
+  drafts: {
+    ...job.drafts,
+    [job.cycle]: { ...job.drafts[job.cycle], ...Object.fromEntries(Object.entries(values).map(([q, value]) => [q, typed(value)])) },
+  },
+});
+
+/**
+ * Runs a cycle with the values that show a parameter: with those of the open work, or with the example where nothing is seen with them;
+ * null where the cycle makes no path at all.
+ */
+async function tryValues(cycle: Cycle, q: string, goesOn: () => boolean): Promise<TriedValues | null> {
+  let best: TriedValues | null = null;
+  for (const { job, isOwn } of guideSources(cycle)) {
+    const read = readJob(job), values = read?.reading.values as Readonly<Record<string, number | "auto">> | null | undefined;
+    if (!read || !values) continue;
+    const asked = { cycle, q, values, given: givenOf(read) };
+    const found = await demonstrate(asked, (changed) => goesOn() ? ranBeside(jobWith(job, changed)) : Promise.resolve(null));
+    const shown = found && compared(found.ran);
+    if (!found || !shown) continue;
+    const { [q]: _, ...needed } = found.needed;
+    const here: TriedValues = { isOwn, standing: values[q], needed, isUnseen: found.unseen > 0, ...shown };
+    if (!here.isUnseen) return here;
+    best ??= here;
+  }
+  return best;
+}
+
+/** A parameter at its values, run again when the open work changes; what was shown stays until then. */
+export function useTriedValues(cycle: Cycle, q: string): MadeForPage<TriedValues> {
+  const make = useCallback((goesOn: () => boolean) => tryValues(cycle, q, goesOn), [cycle, q]);
+  return useMade(`${cycle.number}/${q}`, useGuideSource(cycle), make);
+}

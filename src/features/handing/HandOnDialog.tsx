@@ -1,0 +1,142 @@
+import { useEffect, useState } from "react";
+import type { HandedTexts } from "../../i18n/en/handed.ts";
+import { formatNumber } from "../../i18n/number.ts";
+import type { ShownVerdict } from "../../app/findings/verdict.ts";
+import { VerdictText } from "../../app/findings/VerdictText.tsx";
+import { downloadBytes, downloadText } from "../../app/base/download.ts";
+import { LONGEST_LINK, SAFE_LINK } from "../../app/base/limits.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { copyText, useCopying } from "../../app/findings/copy.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { controlInUse, machineInUse } from "../../app/document/work-tools.ts";
+import type { Work } from "../../app/document/work.ts";
+import { HandingDialog } from "../../app/base/HandingDialog.tsx";
+import { linkOf } from "../../app/records/link.ts";
+import { packed, packedFile, type Packed } from "./pack.ts";
+import { QrCode } from "./QrCode.tsx";
+import { LONGEST_QR } from "./qr.ts";
+import { isHereOnly } from "../../app/records/reach.ts";
+import { canShare, share } from "./share-sheet.ts";
+import { useHandedTexts } from "./use-handed-texts.ts";
+import { WorkFacts } from "./WorkFacts.tsx";
+
+const pageAddress = () => location.href.replace(/[?#].*$/, "");
+
+interface Ready extends Packed {
+  /** Empty where it would be longer than browsers open. */
+  readonly link: string;
+}
+
+/** The open work, packed as it was when the dialog opened; null until it is. */
+function usePacked(open: Work): Ready | null {
+  const [ready, set] = useState<Ready | null>(null);
+  useEffect(() => {
+    let gone = false;
+    void packed(open).then((made) => {
+      if (gone) return;
+      const link = linkOf(pageAddress(), made.work);
+      set({ ...made, link: link.length > LONGEST_LINK ? "" : link });
+    });
+    return () => {
+      gone = true;
+    };
+  }, [open]);
+  return ready;
+}
+
+interface Props {
+  readonly open: Work;
+  readonly verdict: ShownVerdict;
+  readonly done: () => void;
+}
+
+/** The ways to hand the open work on with all that it runs with. */
+export function HandOnDialog({ open, verdict, done }: Props) {
+  const words = useHandedTexts();
+  const ready = usePacked(open);
+  if (!words) return null;
+  const tools = ready?.work.tools;
+  return (
+    <HandingDialog title={words.title} done={done}>
+      <p>{words.lead}</p>
+      <section className="handing-along" aria-label={words.along}>
+        <WorkFacts words={words} work={open} control={controlInUse()} machine={machineInUse()} tools={tools
+          ? tools.map(({ cells }) => words.tool(cells.T ?? "", cells.NAME ?? "")).join(", ") || words.none
+          : <span role="status" className="soft">{words.working}</span>} />
+        <VerdictText verdict={verdict} reasons={2} />
+      </section>
+      {ready && <Ways words={words} ready={ready} />}
+    </HandingDialog>
+  );
+}
+
+/** What keeps a link from being opened where it goes; null when nothing does. */
+function warningOf(words: HandedTexts, link: string, isOnlyHere: boolean): string | null {
+  if (link === "") return words.linkTooLong;
+  if (isOnlyHere) return words.hereOnly;
+  return link.length > SAFE_LINK ? words.linkLong : null;
+}
+
+function Ways({ words, ready }: { readonly words: HandedTexts; readonly ready: Ready }) {
+  const t = useTexts().page;
+  const language = useSettings((s) => s.language);
+  const { work, file, link, report } = ready;
+  const copied = useCopying((c) => c.state === "copied" && c.text === link);
+  const number = (n: number) => formatNumber(language, n);
+  const stem = file.replace(/\.[^.]*$/, "");
+  const archive = `${stem}.zip`;
+  const isOnlyHere = isHereOnly(pageAddress());
+  const warning = warningOf(words, link, isOnlyHere);
+  const sheet = { name: work.name, link: link.length > SAFE_LINK ? "" : link, archive, bytes: () => packedFile(ready) };
+  return (
+    <>
+      <section className="handing-link" aria-label={words.link}>
+        <label>
+          <span>
+            {words.link} · <b className="number">{words.kilobytes(formatNumber(language, link.length / 1000, 1))}</b>
+          </span>
+          <textarea className="number" readOnly rows={3} value={link} onFocus={(event) => event.currentTarget.select()} />
+        </label>
+        {warning !== null && (
+          <p className="field-message warning">
+            <Icon name="warning" /> {warning}
+          </p>
+        )}
+        <div className="handing-ways">
+          <button type="button" className="button primary" disabled={link === ""} onClick={() => void copyText(link)}>
+            <Icon name={copied ? "check" : "copy"} /> {copied ? t.text.copied : words.copyLink}
+          </button>
+          {canShare(sheet) && <button type="button" className="button" onClick={() => void share(sheet)}>{words.share}</button>}
+        </div>
+      </section>
+      {link !== "" && (
+        <section className="handing-code" aria-label={words.qr}>
+          <h3>{words.qr}</h3>
+          {link.length > LONGEST_QR ? <p className="soft">{words.qrTooLong(number(link.length), number(LONGEST_QR))}</p> : (
+            <>
+              <QrCode link={link} name={words.qrName(work.name)} />
+              {!isOnlyHere && <p className="small soft">{words.qrHint}</p>}
+            </>
+          )}
+        </section>
+      )}
+      <section aria-label={words.files}>
+        <h3>{words.files}</h3>
+        <div className="handing-ways">
+          <button type="button" className="button" aria-label={`${words.file}: ${archive}`}
+            onClick={() => downloadBytes(packedFile(ready), archive)}
+          >
+            <Icon name="download" /> {words.file}
+          </button>
+          {report !== null && (
+            <button type="button" className="button" onClick={() => downloadText(report, `${stem}.report.json`)}>
+              <Icon name="download" /> {words.report}
+            </button>
+          )}
+        </div>
+        <p className="small soft">{report === null ? words.noReport : words.reportHint}</p>
+      </section>
+    </>
+  );
+}

@@ -1,0 +1,57 @@
+import { useMemo } from "react";
+import { cellOf } from "../../program/tool-entry.ts";
+import { toolsBeside } from "../../program/tool-difference.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { useTools } from "../../app/document/tool-store.ts";
+import { HandingDialog } from "../../app/base/HandingDialog.tsx";
+import { leaveIncoming, takeIncoming, useIncoming, type Incoming } from "../../app/records/incoming.ts";
+import { inMyTable } from "./in-my-table.ts";
+import { useHandedTexts } from "./use-handed-texts.ts";
+import { WorkFacts } from "./WorkFacts.tsx";
+
+/** What a link or a file holds, before anything of it is opened. */
+export function IncomingDialog() {
+  const incoming = useIncoming((s) => s.incoming);
+  return incoming && <Inside key={incoming.work.name} incoming={incoming} />;
+}
+
+function Inside({ incoming }: { readonly incoming: Incoming }) {
+  const words = useHandedTexts();
+  const mine = useTools((s) => s.list);
+  const { control: device, machine } = useSettings();
+  const { work, from } = incoming;
+  const tools = useMemo(() => work.tools && toolsBeside(work.tools, mine), [work, mine]);
+  if (!words) return null;
+  const control = work.control ?? device;
+  return (
+    <HandingDialog title={words.inside(work.name)} done={leaveIncoming}>
+      <p>{words.from[from]}</p>
+      <WorkFacts words={words} work={work} machine={work.machine ?? machine} tools={tools
+        ? tools.length === 0 ? words.none : (
+          <ul className="handing-tools">
+            {tools.map((tool) => (
+              <li key={tool.entry.id}>
+                {words.tool(cellOf(tool.entry, "T"), cellOf(tool.entry, "NAME"))}{" "}
+                <span className={`small ${inMyTable(tool) === "differs" ? "handing-differs" : "soft"}`}>
+                  {words.state[inMyTable(tool)]}
+                </span>
+              </li>
+            ))}
+          </ul>
+        )
+        : words.bare} control={
+        <>
+          {control}{" "}
+          <span className={`small ${control === device ? "soft" : "handing-differs"}`}>
+            {control === device ? words.sameControl : words.otherControl(device)}
+          </span>
+        </>
+      } />
+      <p className="small soft">{words.ofItsOwn}</p>
+      <div className="handing-ways">
+        <button type="button" className="button primary handing-first" onClick={() => takeIncoming(incoming)}>{words.open}</button>
+        <button type="button" className="button" onClick={leaveIncoming}>{words.notNow}</button>
+      </div>
+    </HandingDialog>
+  );
+}

@@ -1,0 +1,34 @@
+import { useState } from "react";
+import type { HandedTexts } from "../../i18n/en/handed.ts";
+import type { Control } from "../../program/plane-types.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { handedOn, useEditor } from "../../app/document/store.ts";
+import { nameOfMachine } from "./machine-name.ts";
+import { useHandedTexts } from "./use-handed-texts.ts";
+import { WorkTools } from "./WorkTools.tsx";
+import "../../app/base/handing.css";
+
+/** The one thing that is most to be known of what a work runs with. */
+function saidOf(words: HandedTexts, tools: number | undefined, control: Control | undefined, machine = ""): string {
+  if (tools !== undefined) return words.bar(tools);
+  return control === undefined ? words.barMachine(nameOfMachine(words, machine)) : words.barControl(control);
+}
+
+/** Says that the open work runs with what it was handed on with, and leads to it. */
+export function WorkBar() {
+  const words = useHandedTexts();
+  const tools = useEditor((s) => handedOn(s).tools);
+  const control = useEditor((s) => handedOn(s).control);
+  const device = useSettings((s) => s.control);
+  const machine = useEditor((s) => handedOn(s).machine);
+  const [shown, show] = useState(false);
+  if (!words) return null;
+  return (
+    <div className="work-bar" role="region" aria-label={words.ofWork}>
+      <Icon name="insert" /> <span>{saidOf(words, tools?.length, control === device ? undefined : control, machine)}</span>
+      <button type="button" className="button" onClick={() => show(true)}>{words.ofWork}</button>
+      {shown && <WorkTools words={words} done={() => show(false)} />}
+    </div>
+  );
+}

@@ -1,0 +1,176 @@
+import { afterEach, expect, test, vi } from "vitest";
+import { cuttingCycles } from "../../cycles/index.ts";
+import { exampleJob, UNSET } from "../../program/job.ts";
+import { EXAMPLE_MACHINES } from "../../program/example-machines.ts";
+import { machineOf, writeMachine } from "../../program/machine-file.ts";
+import { shippedList } from "../../program/tool-list.ts";
+import { reported } from "../../app/calculation/reported.ts";
+import { openText } from "../../app/fields/open/open-program.ts";
+import { readArchive } from "../../app/records/archive.ts";
+import { changeSettings } from "../../app/base/settings/settings.ts";
+import { begin, handedOn, useEditor } from "../../app/document/store.ts";
+import { redo, undo } from "../../app/document/steps.ts";
+import { editTools, takeTools, useTools } from "../../app/document/tool-store.ts";
+import { controlInUse, machineInUse, toolTable } from "../../app/document/work-tools.ts";
+import { isProgram, type Work } from "../../app/document/work.ts";
+import { printedText } from "../../app/document/printed.ts";
+import { handedWork } from "../../app/records/incoming.ts";
+import { linkOf, readLink } from "../../app/records/link.ts";
+import { packed, packedFile } from "./pack.ts";
+import { callAs, callsOf, keepWorkTools, takeControlOfDevice, takeMachineOfDevice, takeTableOfDevice } from "./work-tools-edits.ts";
+
+/** The worker's answer, made here. */
+vi.mock("../../app/calculation/beside.ts", () => ({
+  reportOf: (work: Work, file: string) =>
+    Promise.resolve(reported({
+      version: 0,
+      text: isProgram(work) ? work.text : printedText(work),
+      table: toolTable(),
+      control: controlInUse(),
+      machine: machineOf(machineInUse()),
+      rapid: 10_000,
+    }, file)),
+}));
+
+const open = (): Work => {
+  const { job, program } = useEditor.getState();
+  const work = job ?? program;
+  if (!work) throw new Error("no work is open");
+  return work;
+};
+const rs = (number: number) => toolTable().tools.find(({ T }) => T === number)?.RS;
+const withRs = (number: number, RS: string) =>
+  editTools((list) => list.map((row) => (row.cells.T === String(number) ? { ...row, cells: { ...row.cells, RS } } : row)));
+const arrive = (link: string) => {
+  const read = readLink(link);
+  if (read.kind !== "work") throw new Error("the link holds no work");
+  return read.work;
+};
+
+afterEach(() => {
+  begin(null, null);
+  takeTools(shippedList);
+  changeSettings({ control: "TNC 640", machine: "" });
+});
+
+test("a cycle that nobody has chosen a tool for brings the one that was proposed, and gives the same report elsewhere", async () => {
+  const [cycle] = cuttingCycles;
+  if (!cycle) throw new Error("the catalogue is empty");
+  begin({ ...exampleJob(cycle), ...UNSET, drafts: { ...exampleJob(cycle).drafts, 9: { Q1: "7" } } }, "mine");
+  changeSettings({ control: "TNC7" });
+  const proposed = /TOOL CALL (\d+)/.exec(printedText(open() as never))?.[1] ?? "";
+  withRs(Number(proposed), "0.61");
+  const sent = await packed(open());
+  expect(sent.work).toMatchObject({ tool: Number(proposed), control: "TNC7" });
+  expect(Object.keys((sent.work as { drafts: object }).drafts)).toEqual([String(cycle.number)]);
+
+  takeTools([]);
+  changeSettings({ control: "TNC 640" });
+  begin(arrive(linkOf("", sent.work)), "theirs");
+  expect([rs(Number(proposed)), controlInUse()]).toEqual([0.61, "TNC7"]);
+  const again = await packed(open());
+  expect(again.report).toBe(sent.report);
+  expect(linkOf("", again.work)).toBe(linkOf("", sent.work));
+});
+
+test.each([["the data of a machine", writeMachine(EXAMPLE_MACHINES.large), ""], ["no machine", "", writeMachine(EXAMPLE_MACHINES.small)]])(
+  "a work that is timed with %s comes to the same times on a device that has other data",
+  async (_, machine, other) => {
+    const [cycle] = cuttingCycles;
+    if (!cycle) throw new Error("the catalogue is empty");
+    begin(exampleJob(cycle), "mine");
+    changeSettings({ machine });
+    const sent = await packed(open());
+    changeSettings({ machine: other });
+    expect((await packed(open())).report).not.toBe(sent.report);
+    begin(arrive(linkOf("", sent.work)), "theirs");
+    expect(machineInUse()).toBe(machine);
+    expect((await packed(open())).report).toBe(sent.report);
+    takeMachineOfDevice();
+    expect([machineInUse(), handedOn(useEditor.getState()).control]).toEqual([other, "TNC 640"]);
+    undo();
+    expect(machineInUse()).toBe(machine);
+  },
+);
+
+test("a task is timed without a machine, as it is judged", () => {
+  changeSettings({ machine: writeMachine(EXAMPLE_MACHINES.large) });
+  begin({ ...program, task: { id: "x" } }, "task");
+  expect(machineInUse()).toBe("");
+});
+
+test("as a file the work is the same, and such a file is told from one of many works", async () => {
+  const [cycle] = cuttingCycles;
+  if (!cycle) throw new Error("the catalogue is empty");
+  begin(exampleJob(cycle), "mine");
+  const sent = await packed(open());
+  const read = readArchive(packedFile(sent));
+  expect(handedWork(read)).toEqual(sent.work);
+  expect(handedWork({ problem: "damaged" })).toBeNull();
+  if (!("works" in read)) throw new Error("the file cannot be read");
+  expect(handedWork({ ...read, works: [...read.works, ...read.works] })).toBeNull();
+  expect(handedWork({ ...read, own: [] })).toBeNull();
+});
+
+const TEXT = "0 BEGIN PGM A MM\r\n1 TOOL CALL 3 ;first\r\n2 TOOL CALL 4\r\n3 CALL PGM B\r\n4 END PGM A MM\r\n";
+const program: Work = {
+  name: "A.h",
+  text: TEXT,
+  encoding: "utf-8",
+  files: [{ name: "B.h", text: "0 BEGIN PGM B MM\n1 TOOL CALL 3\n2 END PGM B MM\n", encoding: "windows-1252" }],
+  tools: shippedList.filter(({ cells }) => cells.T === "3" || cells.T === "4").map((row) => ({
+    ...row,
+    cells: { ...row.cells, RS: "1.3" },
+  })),
+  control: "TNC7",
+};
+
+test("a tool kept at a free number is called there in every file, as one step, and the work comes to the same with either table", () => {
+  begin(program, "theirs");
+  const kept = keepWorkTools(({ number }) => (number === 3 ? "free" : "mine"));
+  const to = kept.moved[0]?.to ?? 0;
+  expect(kept.moved).toEqual([{ from: 3, to: shippedList.length + 1 }]);
+  expect(callsOf(kept.moved)).toBe(2);
+  callAs(kept.moved);
+  expect(open()).toMatchObject({
+    text: TEXT.replace("TOOL CALL 3", `TOOL CALL ${to}`),
+    files: [{ text: `0 BEGIN PGM B MM\n1 TOOL CALL ${to}\n2 END PGM B MM\n` }],
+  });
+  expect([rs(to), rs(3)]).toEqual([1.3, undefined]);
+  takeTableOfDevice();
+  expect([handedOn(useEditor.getState()).tools, controlInUse()]).toEqual([undefined, "TNC7"]);
+  expect([rs(to), rs(3)]).toEqual([1.3, 0.4]);
+  takeControlOfDevice();
+  expect([controlInUse(), Object.keys(handedOn(useEditor.getState())).includes("control")]).toEqual(["TNC 640", false]);
+  undo();
+  undo();
+  expect(handedOn(useEditor.getState()).tools?.map(({ cells }) => cells.T)).toEqual([String(to), "4"]);
+  undo();
+  expect(open()).toEqual(program);
+  redo();
+  expect(callsOf(kept.moved)).toBe(0);
+  undo();
+  undo();
+  expect(useTools.getState().list).toEqual(shippedList);
+});
+
+test("a cycle that is opened as a program keeps what it came with", () => {
+  const [cycle] = cuttingCycles;
+  if (!cycle) throw new Error("the catalogue is empty");
+  const tools = shippedList.slice(2, 4);
+  openText("0 BEGIN PGM A MM\n", { ...exampleJob(cycle), tools, control: "TNC7" });
+  const { output } = exampleJob(cycle);
+  expect(open()).toEqual({ name: "A.h", text: "0 BEGIN PGM A MM\n", encoding: "utf-8", tools, control: "TNC7", output });
+  openText("0 BEGIN PGM B MM\n");
+  expect(open()).toEqual({ name: "B.h", text: "0 BEGIN PGM B MM\n", encoding: "utf-8" });
+});
+
+test("a cycle takes the new number of its tool", () => {
+  const [cycle] = cuttingCycles;
+  if (!cycle) throw new Error("the catalogue is empty");
+  begin({ ...exampleJob(cycle), tool: 3, tools: shippedList.filter(({ cells }) => cells.T === "3") }, "theirs");
+  expect(callsOf([{ from: 3, to: 97 }])).toBe(1);
+  callAs([{ from: 3, to: 97 }]);
+  expect(open()).toMatchObject({ tool: 97, tools: [{ cells: { T: "97" } }] });
+  expect(callsOf([{ from: 3, to: 97 }])).toBe(0);
+});

@@ -1,0 +1,74 @@
+import { parse } from "../../nc/parse.ts";
+import { print } from "../../nc/program.ts";
+import { fileKey } from "../../program/program-files.ts";
+import { withCalls } from "../../program/renumber-calls.ts";
+import { keptBeside, renumberedTools, type KeepAs, type KeptTools, type ToolBeside } from "../../program/tool-difference.ts";
+import { editProgram, sessionView, useSession } from "../../app/fields/blocks/session.ts";
+import { shownFile } from "../../app/document/shown-file.ts";
+import { setJobOf } from "../../app/document/reading.ts";
+import { asOneStep } from "../../app/document/steps.ts";
+import { changeProgram, edit, handedOn, handOver, setHandedOn, useEditor } from "../../app/document/store.ts";
+import { editTools, useTools } from "../../app/document/tool-store.ts";
+import { broughtBy, textsOf, withText, type ProgramWork } from "../../app/document/work.ts";
+
+type Moved = KeptTools["moved"];
+
+/** Keeps the tools of the open work in the table of this device, as one step of undo; gives what came of it. */
+export function keepWorkTools(choice: (beside: ToolBeside) => KeepAs): KeptTools {
+  const { list } = useTools.getState();
+  const kept = keptBeside(list, handedOn(useEditor.getState()).tools ?? [], choice);
+  editTools(() => kept.list);
+  return kept;
+}
+
+/** From now on the open work runs with the table of this device, as one step of undo. */
+export function takeTableOfDevice(): void {
+  handOver();
+  const { tools: _, ...others } = broughtBy(handedOn(useEditor.getState()));
+  setHandedOn(others);
+}
+
+/** From now on the open work runs as this device is set, as one step of undo. */
+export function takeControlOfDevice(): void {
+  handOver();
+  const { control: _, ...others } = broughtBy(handedOn(useEditor.getState()));
+  setHandedOn(others);
+}
+
+/** From now on times of the open work are worked out with the machine of this device, as one step of undo. */
+export function takeMachineOfDevice(): void {
+  handOver();
+  const { machine: _, ...others } = broughtBy(handedOn(useEditor.getState()));
+  setHandedOn(others);
+}
+
+/** How many calls in the open work name a tool that was given another number. */
+export function callsOf(moved: Moved): number {
+  handOver();
+  const { job, program } = useEditor.getState();
+  if (job) return moved.some(({ from }) => from === setJobOf(job).tool) ? 1 : 0;
+  return program ? textsOf(program).reduce((sum, { text }) => sum + withCalls(parse(text), moved).changed, 0) : 0;
+}
+
+/** The open work with other numbers for some of its tools, where they are called and in the tools that came with it: one step of undo. */
+export function callAs(moved: Moved): void {
+  handOver();
+  const { job, program } = useEditor.getState();
+  const toolsOf = (tools: NonNullable<ProgramWork["tools"]>) => ({ tools: renumberedTools(tools, moved) });
+  if (job) {
+    const called = moved.find(({ from }) => from === setJobOf(job).tool);
+    return edit((now) => ({ ...now, ...(called && { tool: called.to }), ...(now.tools && toolsOf(now.tools)) }));
+  }
+  if (!program) return;
+  // The text in the editor is changed there, so that its own history goes on.
+  const inEditor = sessionView() ? fileKey(shownFile(program).name) : null;
+  const texts = textsOf(program).filter(({ name }) => fileKey(name) !== inEditor);
+  asOneStep(() => {
+    changeProgram((now) => ({
+      ...texts.reduce((work, { name, text }) => withText(work, fileKey(name), print(withCalls(parse(text), moved).program)), now),
+      ...(now.tools && toolsOf(now.tools)),
+    }));
+    const { program: shown, changed } = withCalls(useSession.getState().reading.program, moved);
+    if (inEditor !== null && changed > 0) editProgram(shown, null);
+  });
+}

@@ -1,0 +1,23 @@
+import { lookForNewer, updateNow } from "./offline.ts";
+import { useOfflineTexts } from "./use-offline-texts.ts";
+import { useVersion } from "../../app/base/version.ts";
+
+/** Which version this is, whether all of it is on the device, and the way to a newer one. */
+export function OfflineState() {
+  const t = useOfflineTexts();
+  const { kept, newer, looked } = useVersion();
+  return (
+    <div className="offline-state">
+      <p role="status" className="small">{t.kept[kept]} {newer === "none" ? t.looked[looked] : t[newer]}</p>
+      {/* Two buttons: under the finger none becomes another one. */}
+      {kept !== "impossible" && (
+        <button type="button" className="button" disabled={looked === "looking" || looked === "coming"} onClick={() => void lookForNewer()}>
+          {t.look}
+        </button>
+      )}
+      {newer !== "none" && (
+        <button type="button" className="button" onClick={updateNow}>{newer === "elsewhere" ? t.reload : t.updateNow}</button>
+      )}
+    </div>
+  );
+}

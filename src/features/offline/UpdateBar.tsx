@@ -1,0 +1,17 @@
+import { Icon } from "../../app/base/Icon.tsx";
+import { useOfflineTexts } from "./use-offline-texts.ts";
+import { updateNow } from "./offline.ts";
+import { useVersion } from "../../app/base/version.ts";
+
+/** Says that a newer version is here. The page goes on as it is until somebody presses the button. */
+export function UpdateBar() {
+  const t = useOfflineTexts();
+  const newer = useVersion((v) => v.newer);
+  return (
+    <p className="notice">
+      <Icon name="info" /> <span>{newer === "elsewhere" ? t.elsewhere : t.ready}</span>
+      <button type="button" className="button" onClick={updateNow}>{newer === "elsewhere" ? t.reload : t.updateNow}</button>
+      <button type="button" className="button plain" onClick={() => useVersion.setState({ later: true })}>{t.later}</button>
+    </p>
+  );
+}

@@ -1,0 +1,168 @@
+import { cleanup, render, screen, within } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { parse } from "../../nc/parse.ts";
+import { newParameter, OWN_SIZES, type OwnEntry } from "../../program/own-cycle.ts";
+import { onHistoryKey } from "../../app/document/history.ts";
+import { useKeeping } from "../../app/records/keep.ts";
+import { changeSettings } from "../../app/base/settings/settings.ts";
+import { redo, undo, useSteps } from "../../app/document/steps.ts";
+import { readKeptOwn, startOwn, writeKeptOwn } from "../../app/records/keep-own.ts";
+import { describeBlock } from "../../app/fields/blocks/own-edits.ts";
+import { importOwnFile } from "./own-files.ts";
+import { showOwn, useOwnPlace } from "../../app/document/own-place.ts";
+import { takeOwn, useOwn } from "../../app/document/own-store.ts";
+import { OwnPage } from "./OwnPage.tsx";
+import { texts } from "../../i18n/index.ts";
+
+const t = texts("en").own;
+const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { name });
+const list = () => useOwn.getState().list;
+const steps = () => useSteps.getState().past.length;
+const entry = (id: string, number: string, name = "BAR PULLER"): OwnEntry => ({
+  id,
+  number,
+  name,
+  parameters: [newParameter("p1", { q: "Q1711", prompt: "PULL LENGTH", kind: "length", first: "31.7" })],
+});
+
+beforeEach(() => {
+  changeSettings({ language: "en" });
+  localStorage.removeItem("turnwise/own-cycles");
+  localStorage.removeItem("turnwise/own-cycles/damaged");
+  useKeeping.setState({ notices: [] });
+  takeOwn([]);
+  useOwnPlace.setState({ shown: true, row: null, focus: 0 });
+});
+afterEach(cleanup);
+
+test("a cycle is described by keyboard: the number is asked first, Enter goes on, the text shows when all is there", async () => {
+  render(<OwnPage />);
+  const user = userEvent.setup();
+  expect(screen.getByText(t.none)).toBeTruthy();
+  await user.click(screen.getByRole("button", { name: t.add }));
+  expect(document.activeElement).toBe(field(t.number));
+  await user.keyboard("317{Enter}BAR PULLER{Enter}Q1711{Enter}");
+  expect(document.activeElement).toBe(screen.getByRole("combobox", { name: `Q1711: ${t.kind}` }));
+  await user.selectOptions(screen.getByRole("combobox", { name: `Q1711: ${t.kind}` }), "length");
+  expect(screen.queryByRole("figure", { name: t.text })).toBeNull();
+  await user.type(field(`Q1711: ${t.cells.prompt}`), "PULL LENGTH");
+  await user.type(field(`Q1711: ${t.cells.first}`), "15*2+1.7{Enter}");
+  expect(screen.getByRole("figure", { name: t.text }).textContent).toContain("CYCL DEF 317 BAR PULLER ~\nQ1711=+31.7 ;PULL LENGTH");
+  await user.keyboard("{Enter}");
+  expect(document.activeElement).toBe(field(`Q1712: ${t.cells.q}`));
+});
+
+test("what is wrong stands at its field, and the list names the cycle that cannot be used", async () => {
+  takeOwn([entry("c1", "317"), entry("c2", "812")]);
+  showOwn("c2");
+  render(<OwnPage />);
+  const user = userEvent.setup();
+  expect(screen.getByText(t.problems.known("812"))).toBeTruthy();
+  expect(screen.getByRole("button", { name: `${t.select(t.cycleName("812", "BAR PULLER"))}, ${t.hasError}` })).toBeTruthy();
+  await user.clear(field(t.number));
+  await user.type(field(t.number), "317");
+  expect(screen.getByText(t.problems.twice("317"))).toBeTruthy();
+  expect(field(t.number).getAttribute("aria-invalid")).toBe("true");
+});
+
+test("typing in one field is one step of undo; the history keys work here and leave the keyboard where it is", async () => {
+  takeOwn([entry("c1", "317")]);
+  document.addEventListener("keydown", onHistoryKey);
+  render(<OwnPage />);
+  const user = userEvent.setup();
+  await user.type(field(t.name), " 2");
+  await user.click(screen.getByRole("button", { name: t.addParameter }));
+  expect(steps()).toBe(2);
+  await user.click(field(t.name));
+  await user.keyboard("{Control>}zz{/Control}");
+  expect(list()).toEqual([entry("c1", "317")]);
+  expect(document.activeElement).toBe(field(t.name));
+  redo();
+  expect(list()[0]?.name).toBe("BAR PULLER 2");
+  document.removeEventListener("keydown", onHistoryKey);
+});
+
+test("duplicate, delete, and undo beside what was said", async () => {
+  takeOwn([entry("c1", "317")]);
+  render(<OwnPage />);
+  const user = userEvent.setup();
+  await user.click(screen.getByRole("button", { name: t.duplicateLong(t.cycleName("317", "BAR PULLER")) }));
+  expect(list().map(({ number }) => number)).toEqual(["317", "318"]);
+  await user.click(screen.getByRole("button", { name: t.removeLong(t.cycleName("318", "BAR PULLER")) }));
+  expect(list()).toHaveLength(1);
+  const status = screen.getAllByRole("status").find((each) => each.textContent?.includes("318"));
+  await user.click(within(status as HTMLElement).getByRole("button", { name: new RegExp(`^${t.undo} – `) }));
+  expect(list()).toHaveLength(2);
+});
+
+test("parameters are moved and deleted; a choice asks for its values instead of bounds", async () => {
+  takeOwn([{
+    ...entry("c1", "317"),
+    parameters: [newParameter("p1", { q: "Q1", prompt: "A" }), newParameter("p2", { q: "Q2", prompt: "B" })],
+  }]);
+  render(<OwnPage />);
+  const user = userEvent.setup();
+  await user.click(screen.getByRole("button", { name: t.raise("Q2") }));
+  expect(list()[0]?.parameters.map(({ q }) => q)).toEqual(["Q2", "Q1"]);
+  await user.click(screen.getByRole("button", { name: t.removeParameter("Q1") }));
+  expect(list()[0]?.parameters.map(({ q }) => q)).toEqual(["Q2"]);
+  await user.selectOptions(screen.getByRole("combobox", { name: `Q2: ${t.kind}` }), "choice");
+  expect(screen.queryByRole("textbox", { name: `Q2: ${t.cells.min}` })).toBeNull();
+  expect(field(`Q2: ${t.cells.choices}`)).toBeTruthy();
+  undo();
+  expect(await screen.findByRole("textbox", { name: `Q2: ${t.cells.min}` })).toBeTruthy();
+});
+
+test("a block is described once", () => {
+  const s = parse("CYCL DEF 0317 X ~\nQ5=+1 ;A\n").blocks[0]?.statement;
+  if (s?.kind !== "cycle") throw new Error("no cycle");
+  expect(describeBlock(s)).toBe("c1");
+  expect(describeBlock(s)).toBe("c1");
+  expect(list()).toHaveLength(1);
+  expect(steps()).toBe(1);
+});
+
+test("a file comes in as one step, or not at all", async () => {
+  takeOwn([entry("c1", "317")]);
+  const file = (text: string) => new File([text], "a.json");
+  const said = await importOwnFile(file('{"cycles":[{"number":317,"name":"NEW"},{"number":812,"name":"B","depth":1}]}'), t);
+  expect(said.sentences).toEqual([t.files.imported("a.json", 1, 1), t.files.importedWrong(1), t.files.leftOut("depth")]);
+  expect(list().map(({ id, name }) => `${id} ${name}`)).toEqual(["c1 NEW", "c2 B"]);
+  undo();
+  expect(list()).toEqual([entry("c1", "317")]);
+  expect((await importOwnFile(file("Dear sirs"), t)).sentences).toEqual([t.files.notALibrary("a.json")]);
+  const full = Array.from({ length: OWN_SIZES.cycles }, (_, i) => ({ number: 1000 + i, name: "A" }));
+  expect((await importOwnFile(file(JSON.stringify({ cycles: full })), t)).sentences).toEqual([t.files.tooMany("a.json", OWN_SIZES.cycles)]);
+  const big = file(" ");
+  vi.spyOn(big, "size", "get").mockReturnValue(2_000_001);
+  expect((await importOwnFile(big, t)).sentences).toEqual([t.files.tooLarge("a.json")]);
+  expect(list()).toEqual([entry("c1", "317")]);
+});
+
+test("what is kept comes back; damaged text does not", () => {
+  const own = [entry("c1", "31x"), entry("c2", "317", "")];
+  expect(readKeptOwn(writeKeptOwn(own) ?? "")).toEqual(own);
+  expect(writeKeptOwn([])).toBeNull();
+  const twice = JSON.stringify({ version: 1, cycles: [own[0], own[0]] });
+  const wrongKind = JSON.stringify({ version: 1, cycles: own }).replace('"length"', '"depth"');
+  for (const damaged of ["{", "[]", '{"version":2,"cycles":[]}', twice, wrongKind]) expect(readKeptOwn(damaged)).toBeNull();
+});
+
+test("changes are kept on the device, damaged lists are set aside, other tabs are followed", () => {
+  localStorage.setItem("turnwise/own-cycles", "{broken");
+  const stop = startOwn();
+  expect(useKeeping.getState().notices).toEqual(["ownDamaged"]);
+  expect(localStorage.getItem("turnwise/own-cycles/damaged")).toBe("{broken");
+  useOwn.setState({ list: [entry("c1", "317")] });
+  dispatchEvent(new Event("pagehide"));
+  expect(readKeptOwn(localStorage.getItem("turnwise/own-cycles") ?? "")).toEqual([entry("c1", "317")]);
+  const foreign = [entry("c7", "320")];
+  dispatchEvent(new StorageEvent("storage", { key: "turnwise/own-cycles", newValue: writeKeptOwn(foreign), storageArea: localStorage }));
+  expect(list()).toEqual(foreign);
+  expect(steps()).toBe(0);
+  useOwn.setState({ list: [] });
+  dispatchEvent(new Event("pagehide"));
+  expect(localStorage.getItem("turnwise/own-cycles")).toBeNull();
+  stop();
+});

@@ -1,0 +1,53 @@
+import { useMemo } from "react";
+import type { SheetTexts } from "../../i18n/en/sheet.ts";
+import type { Run } from "../../program/run-types.ts";
+import type { MeasurementNow } from "../../view/measure/reading.ts";
+import type { SheetMeasurement } from "../../view/sheet/measured.ts";
+import { measurablePlane } from "../../app/pictures/plane/plane-source.ts";
+import { measuredIn } from "../../app/document/edits.ts";
+import type { Outcome } from "../../app/calculation/outcome.ts";
+import { useLengths } from "../../app/calculation/lengths.ts";
+import { measurementWords, useMeasureTexts } from "../../app/pictures/measure/measure-words.ts";
+import { readIn } from "../../app/pictures/measure/readings.ts";
+import { measurableRun } from "../../app/pictures/measure/source.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { useEditor } from "../../app/document/store.ts";
+
+const NOTHING: readonly MeasurementNow[] = [];
+
+/** What was measured in the open work, as far as the sheet is to show it. */
+export function useSheetMeasured(outcome: Outcome | null): readonly MeasurementNow[] {
+  const list = useEditor(measuredIn), isShown = useSettings((s) => s.sheetMeasured);
+  return useMemo(() => (outcome && isShown ? [measurableRun, measurablePlane].flatMap((of) => readIn(list, of(outcome.run))) : NOTHING), [
+    outcome,
+    list,
+    isShown,
+  ]);
+}
+
+/** Those that are drawn: of the finished part. Half-made parts and milled planes are not on the drawing. */
+export function useDrawnMeasured(measured: readonly MeasurementNow[], run: Run | undefined): readonly SheetMeasurement[] {
+  const t = useMeasureTexts(), lengths = useLengths(run);
+  return useMemo(() =>
+    measured.flatMap((each) => {
+      const { measurement: { id, plane, moment }, figure, isOld } = each;
+      const isDrawn = !isOld && plane === "ZX" && moment?.block === undefined;
+      return isDrawn ? [{ id, figure, text: measurementWords(t, lengths, each).text }] : [];
+    }), [measured, t, lengths]);
+}
+
+/** What was measured, in words; what is of before a change is only counted. */
+export function SheetMeasured({ measured, run, t }: { readonly measured: readonly MeasurementNow[]; readonly run: Run | undefined;
+  readonly t: SheetTexts })
+{
+  const own = useMeasureTexts(), lengths = useLengths(run);
+  if (measured.length === 0) return null;
+  const said = measured.filter(({ isOld }) => !isOld), old = measured.length - said.length;
+  return (
+    <section className="sheet-measured">
+      <h2>{t.measured}</h2>
+      <ul>{said.map((each) => <li key={each.measurement.id}>{measurementWords(own, lengths, each).name}</li>)}</ul>
+      {old > 0 && <p className="sheet-small">{t.measuredOld(old)}</p>}
+    </section>
+  );
+}

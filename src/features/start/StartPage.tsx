@@ -1,0 +1,124 @@
+import { Suspense, useEffect, useRef, useState, type ReactNode } from "react";
+import type { ExampleId } from "../../examples/index.ts";
+import { CycleChooser, type More } from "../../app/fields/chooser/CycleChooser.tsx";
+import { useRecent } from "../../app/fields/chooser/recent.ts";
+import { lazyPart } from "../../app/base/parts.ts";
+import { fetchAtRest } from "../../app/base/rest.ts";
+import { refreshWorks, useKeeping } from "../../app/records/keep.ts";
+import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
+import { findMore } from "./find-more.ts";
+import { KeptWorks, openKept } from "../../app/fields/kept/KeptWorks.tsx";
+import { openExample, ProgramStart } from "./ProgramStart.tsx";
+import { usePictures } from "./use-pictures.ts";
+
+/** They come a moment after the rest, into places that are kept for them. */
+const CourseEntrance = lazyPart(async () => ({ default: (await import("../course/CourseEntrance.tsx")).CourseEntrance }));
+const Welcome = lazyPart(async () => ({ default: (await import("./Welcome.tsx")).Welcome }));
+
+/** Needs the catalogue, which is fetched while the operator looks. */
+const fetchBegin = () => import("./begin.ts");
+
+/** What is typed on the first screen goes to its search, wherever the keyboard is. */
+function typeIntoSearch(page: HTMLElement, event: KeyboardEvent): void {
+  const { key, target } = event;
+  const isTyped = key.length === 1 && key !== " " && !event.ctrlKey && !event.metaKey && !event.altKey;
+  if (!isTyped || document.querySelector("dialog[open]") || (target as HTMLElement).closest("input, select, textarea")) return;
+  page.querySelector<HTMLInputElement>("input[type=search]")?.focus();
+}
+
+/** Saved works and examples that a search finds beside the cycles. */
+function useMore(): More {
+  const { start: t, examples } = useFirstTexts().page;
+  const works = useKeeping((k) => k.works);
+  return (sought) => {
+    if (sought === null) return { count: 0, best: null, shown: null };
+    const found = findMore(sought, works, examples);
+    const all = [
+      ...found.works.map(({ work, name }) => ({ id: work, name: t.foundWork(name), go: () => void openKept(work) })),
+      ...found.examples.map((id: ExampleId) => ({ id, name: t.foundExample(examples[id]), go: () => void openExample(id) })),
+    ];
+    const shown: ReactNode = all.length > 0 && (
+      <ul className="found-more">
+        {all.map(({ id, name, go }) => (
+          <li key={id}>
+            <button type="button" className="button found-one" onClick={go}>{name}</button>
+          </li>
+        ))}
+      </ul>
+    );
+    return { count: all.length, best: all[0] ?? null, shown };
+  };
+}
+
+/** The first screen: earlier work, what the page is, and the ways to new work. */
+export function StartPage() {
+  const t = useFirstTexts();
+  const going = useRef(false);
+  const pictures = usePictures();
+  const more = useMore();
+  // Who was here before comes for the work: what the page is stands behind it. It keeps its place while somebody looks.
+  const [returns] = useState(() => useKeeping.getState().works.length > 0 || useRecent.getState().cycles.length > 0);
+  useEffect(() => {
+    void refreshWorks();
+  }, []);
+  useEffect(() => fetchAtRest(fetchBegin), []);
+  const page = useRef<HTMLElement>(null);
+  useEffect(() => {
+    const onKey = (event: KeyboardEvent) => page.current && typeIntoSearch(page.current, event);
+    document.addEventListener("keydown", onKey);
+    return () => document.removeEventListener("keydown", onKey);
+  }, []);
+
+  /** Pressed twice while the catalogue is on its way, it still begins one work. */
+  const start = async (cycle: number, withExample: boolean) => {
+    if (going.current) return;
+    going.current = true;
+    try {
+      (await fetchBegin()).beginCycle(cycle, withExample);
+    } finally {
+      going.current = false;
+    }
+  };
+  const { start: words } = t.page;
+  const welcome = (
+    <div className="welcome-place">
+      <Suspense>
+        <Welcome pictures={pictures} />
+      </Suspense>
+    </div>
+  );
+  return (
+    <main className="start-page" ref={page}>
+      <div className="start-lead">
+        <h1>{words.title}</h1>
+        <p className="soft">{words.lead}</p>
+        <div className="course-place">
+          <Suspense>
+            <CourseEntrance />
+          </Suspense>
+        </div>
+      </div>
+      <KeptWorks />
+      {!returns && welcome}
+      <ProgramStart pictures={pictures} />
+      <section className="start-cycles" aria-label={words.choose}>
+        <h2>{words.choose}</h2>
+        <p className="soft">{words.chooseLead}</p>
+        <CycleChooser search={words.search} found={words.found} more={more} ways={[{
+          name: words.withExample,
+          short: words.withExample,
+          go: (cycle) => void start(cycle, true),
+        }, {
+          name: words.empty,
+          short: t.chooser.empty,
+          go: (cycle) => void start(cycle, false),
+        }]} />
+      </section>
+      {returns && welcome}
+      <p className="small">
+        <a href="gallery.html">{t.page.gallery}</a>
+      </p>
+      <p className="small soft disclaimer">{t.page.disclaimer}</p>
+    </main>
+  );
+}

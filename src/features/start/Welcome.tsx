@@ -1,0 +1,23 @@
+import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
+import { LivePicture } from "./LivePicture.tsx";
+import type { StartPictures } from "./pictures.ts";
+
+/** What a control does not show and this page does, beside a program that runs. */
+export function Welcome({ pictures }: { readonly pictures: StartPictures | null }) {
+  const { start: t } = useFirstTexts().page;
+  return (
+    <section className="welcome" aria-label={t.beyond}>
+      <LivePicture run={pictures?.live} />
+      <div className="welcome-words">
+        <h2>{t.beyond}</h2>
+        <ul>
+          {Object.entries(t.beyondAll).map(([id, { what, how }]) => (
+            <li key={id}>
+              <b>{what}</b> <span>{how}</span>
+            </li>
+          ))}
+        </ul>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,22 @@
+import type { ExampleId } from "../../examples/index.ts";
+import { plain } from "../../app/fields/chooser/search.ts";
+import type { Kept } from "../../app/records/device.ts";
+
+/** What is found beside the cycles. */
+export interface FoundMore {
+  readonly works: readonly Kept[];
+  readonly examples: readonly ExampleId[];
+}
+
+/** Works that a search shows; the newest come first. */
+const MOST = 12;
+
+/** Works and examples that hold every word that is sought, in their name or their cycle. */
+export function findMore(sought: string, works: readonly Kept[], examples: Readonly<Record<ExampleId, string>>): FoundMore {
+  const words = plain(sought).split(/[\s,;]+/).filter((word) => word !== "");
+  const fits = (text: string) => words.length > 0 && words.every((word) => plain(text).includes(word));
+  return {
+    works: works.filter(({ name, cycle }) => fits(`${name} ${cycle ?? ".h"}`)).slice(0, MOST),
+    examples: (Object.keys(examples) as ExampleId[]).filter((id) => fits(`${examples[id]} ${id}`)),
+  };
+}

@@ -1,0 +1,72 @@
+import { useId } from "react";
+import type { Issue } from "../../kernel/issue.ts";
+import { readAxis } from "../../program/holder-cells.ts";
+import { HOLDER_NUMBERS } from "../../program/tool-columns.ts";
+import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
+import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { setCell } from "./tool-edits.ts";
+import { closeStep } from "../../app/document/steps.ts";
+import { CellMessages, ToolField } from "./ToolField.tsx";
+
+interface Props {
+  readonly entry: ToolEntry;
+  readonly issues: readonly Issue[];
+}
+
+/** Along which axis the shank lies; what a file brought that is no axis stays to be seen. */
+function AxisField({ entry, issues }: Props) {
+  const t = useTableTexts().tools;
+  const id = useId();
+  const text = cellOf(entry, "axis");
+  const axis = readAxis(text);
+  const found = issues.filter((issue) => issue.at === "axis");
+  return (
+    <div className="tool-field">
+      <label htmlFor={id}>
+        <span className="soft small">{t.holder.axis}</span>
+      </label>
+      <select id={id} className="select" value={axis ?? text} aria-invalid={found.length > 0} aria-describedby={`${id}-wrong`}
+        onChange={(e) => {
+          closeStep();
+          setCell(entry.id, "axis", e.currentTarget.value);
+          closeStep();
+        }}
+      >
+        {axis === null && <option value={text}>{text}</option>}
+        {(["", "X", "Z"] as const).map((each) => <option key={each} value={each}>{t.axes[each]}</option>)}
+      </select>
+      <CellMessages id={`${id}-wrong`} issues={found} text={text} />
+    </div>
+  );
+}
+
+/** What joins shank and insert, by its corners. */
+function HeadField({ entry, issues }: Props) {
+  const t = useTableTexts().tools;
+  const id = useId();
+  const text = cellOf(entry, "head");
+  const found = issues.filter((issue) => issue.at === "head");
+  return (
+    <div className="tool-field wide">
+      <label htmlFor={id}>
+        <span className="soft small">{t.holder.head}</span>
+      </label>
+      <textarea id={id} className="input number head" rows={2} autoComplete="off" spellCheck={false} maxLength={500}
+        aria-invalid={found.length > 0} aria-describedby={`${id}-hint ${id}-wrong`} value={text}
+        onChange={(e) => setCell(entry.id, "head", e.currentTarget.value)} onBlur={closeStep} />
+      <span className="soft small" id={`${id}-hint`}>{t.headHint}</span>
+      <CellMessages id={`${id}-wrong`} issues={found} text={text} />
+    </div>
+  );
+}
+
+/** The holder of a tool: its shank in four numbers and an axis, and the outline of its head. */
+export function HolderFields({ entry, issues }: Props) {
+  return (
+    <>
+      {HOLDER_NUMBERS.map((cell) => <ToolField key={cell} entry={entry} cell={cell} issues={issues} />)}
+      <AxisField entry={entry} issues={issues} />
+      <HeadField entry={entry} issues={issues} />
+    </>
+  );
+}

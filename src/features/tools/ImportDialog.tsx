@@ -1,0 +1,103 @@
+import { useMemo, useRef } from "react";
+import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
+import { HOLDER_CELLS, type HolderCell } from "../../program/tool-columns.ts";
+import type { ToolEntry } from "../../program/tool-entry.ts";
+import { planImport, type ImportChange } from "../../program/tool-import.ts";
+import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import type { Brought } from "./tool-files.ts";
+import { useToolName } from "../../app/document/tool-name.ts";
+import { useTools } from "../../app/document/tool-store.ts";
+import { useModal } from "../../app/base/use-modal.ts";
+
+/** Tools that are listed one by one. */
+const MOST = 200;
+
+const isHolderCell = (cell: string): cell is HolderCell => HOLDER_CELLS.some((each) => each === cell);
+
+function Changes({ changed, words: w }: { readonly changed: readonly ImportChange[]; readonly words: ToolFileTexts }) {
+  const t = useTableTexts().tools;
+  const nameOf = useToolName();
+  const language = useSettings((s) => s.language);
+  const shown = (cell: string, text: string, outline: string) =>
+    text === "" ? w.empty : cell === "head" ? outline : inScreenWriting(language, text);
+  return (
+    <ul className="import-changes">
+      {changed.slice(0, MOST).map(({ tool, cells }) => (
+        <li key={tool.id}>
+          <b>{nameOf(tool)}</b>
+          <span>
+            {cells.map(({ cell, from, to }) => {
+              const name = isHolderCell(cell) ? t.holder[cell] : cell;
+              return `${name} ${shown(cell, from, w.outline)} → ${shown(cell, to, w.newOutline)}`;
+            }).join("; ")}
+          </span>
+        </li>
+      ))}
+      {changed.length > MOST && <li>{w.more(changed.length - MOST)}</li>}
+    </ul>
+  );
+}
+
+function Names({ tools, words: w }: { readonly tools: readonly ToolEntry[]; readonly words: ToolFileTexts }) {
+  const nameOf = useToolName();
+  const more = tools.length > MOST ? [w.more(tools.length - MOST)] : [];
+  return <p className="import-names">{[...tools.slice(0, MOST).map(nameOf), ...more].join(" · ")}</p>;
+}
+
+/** What files would do to the table, before they do it: new, changed from what to what, and what is wrong or not understood. */
+export function ImportDialog({ brought, words: w, take, done }: { readonly brought: Brought; readonly words: ToolFileTexts;
+  readonly take: (choice: "all" | "new") => void; readonly done: () => void })
+{
+  const t = useTableTexts().tools;
+  const list = useTools((s) => s.list);
+  const dialog = useRef<HTMLDialogElement>(null);
+  useModal(dialog, ".primary");
+  const plan = useMemo(() => planImport(list, brought.incoming, "all"), [list, brought]);
+  const { fresh, changed, same, wrong } = plan;
+  const title = w.title(brought.name);
+  const told = fresh.length + changed.length;
+  return (
+    <dialog ref={dialog} className="tool-dialog" aria-label={title} onKeyDown={(event) => event.stopPropagation()}
+      onClose={() => !dialog.current?.open && done()}
+    >
+      <h2>{title}</h2>
+      <div className="tool-dialog-body" tabIndex={0} role="group" aria-label={title}>
+        {told === 0 && <p>{w.nothing}</p>}
+        {fresh.length > 0 && (
+          <>
+            <h3>{w.fresh(fresh.length)}</h3>
+            <Names tools={fresh} words={w} />
+          </>
+        )}
+        {changed.length > 0 && (
+          <>
+            <h3>{w.changed(changed.length)}</h3>
+            <Changes changed={changed} words={w} />
+          </>
+        )}
+        {same > 0 && <p className="soft">{w.same(same)}</p>}
+        {wrong.length > 0 && (
+          <>
+            <h3 className="tool-errors">
+              <Icon name="error" /> {w.wrong(wrong.length)}
+            </h3>
+            <Names tools={wrong} words={w} />
+          </>
+        )}
+        {brought.leftOut.length > 0 && <p>{w.leftOut(brought.leftOut.join(", "))}</p>}
+        {brought.kept.length > 0 && <p className="soft">{w.keptInFile(brought.kept.join(", "))}</p>}
+        {brought.cutShort && <p>{t.cutShort}</p>}
+      </div>
+      <div className="tool-dialog-ways">
+        <button type="button" className="button primary" onClick={() => take("all")}>{w.takeAll(told + same)}</button>
+        {fresh.length > 0 && told + same > fresh.length && (
+          <button type="button" className="button" onClick={() => take("new")}>{w.takeNew(fresh.length)}</button>
+        )}
+        <button type="button" className="button" onClick={done}>{w.cancel}</button>
+      </div>
+    </dialog>
+  );
+}

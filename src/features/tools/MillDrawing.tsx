@@ -1,0 +1,93 @@
+import { pointLength } from "../../kernel/drill.ts";
+import { radius, toDiameter } from "../../kernel/units.ts";
+import { formatNumber } from "../../i18n/number.ts";
+import { drillOf } from "../../program/tool-call.ts";
+import type { MillTool } from "../../program/tool-entry.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { wholeAbove } from "./LiveInsert.tsx";
+
+/** Edges of the drawing, px. */
+const WIDTH = 176;
+const HEIGHT = 148;
+/** Space below the point of a tool, px. */
+const BELOW = 12;
+/** How much of a long tool is drawn, in its diameters: more would leave too little of its point. */
+const DRAWN = 4;
+/** Turns of a thread closer than this are not drawn one by one, px. */
+const CLOSEST_TURNS = 4;
+
+/** What of a tool is drawn, mm: as wide as it cuts, its point, its edges where their length is known, and its turns. */
+interface Side {
+  readonly across: number;
+  readonly point: number;
+  readonly edges: number | null;
+  readonly pitch: number | null;
+}
+
+function sideOf(mill: MillTool): Side {
+  const across = toDiameter(radius(mill.R + (mill.DR ?? 0)));
+  const drill = drillOf(mill);
+  return { across, point: drill ? pointLength(drill) : 0, edges: drill?.CUTLENGTH ?? null, pitch: drill?.PITCH ?? null };
+}
+
+/** The millimetres that the height of the drawing stands for. */
+function spanOf({ across, point, edges }: Side): number {
+  const long = edges === null ? 0 : Math.min(edges * 1.2, across * DRAWN);
+  return wholeAbove(Math.max(across * 1.4, point * 1.4, long, 1));
+}
+
+/** A tool from the side, its point down: the part with edges, above it the shank, and the turns of a tap. */
+function Outline({ side, scale }: { readonly side: Side; readonly scale: number }) {
+  const [middle, foot] = [WIDTH / 2, HEIGHT - BELOW];
+  const half = (side.across * scale) / 2;
+  const shoulder = foot - side.point * scale;
+  const top = side.edges === null ? 0 : Math.max(0, foot - Math.max(side.edges, side.point) * scale);
+  const step = side.pitch === null ? 0 : side.pitch * scale;
+  const turns = step < CLOSEST_TURNS
+    ? []
+    : Array.from({ length: Math.floor((shoulder - top) / step) }, (_, i) => shoulder - (i + 1) * step);
+  const tip = side.point > 0 ? `L${middle} ${foot}` : "";
+  return (
+    <>
+      {top > 0 && <path className="shape-holder" d={`M${middle - half} 0H${middle + half}V${top}H${middle - half}Z`} />}
+      <path className="shape-insert" d={`M${middle - half} ${top}H${middle + half}V${shoulder}${tip}L${middle - half} ${shoulder}Z`} />
+      {turns.map((y) => <path key={y} className="tool-turn" d={`M${middle - half} ${y + step / 2}L${middle + half} ${y}`} />)}
+      <path className="insert-tip" strokeDasharray="8 3 2 3" d={`M${middle} 0V${HEIGHT}`} />
+    </>
+  );
+}
+
+/** A mill or a drill to scale from the side, with its axis, and a length to compare it to. */
+export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
+  const t = useTableTexts().tools;
+  const language = useSettings((s) => s.language);
+  if (!mill)
+    return (
+      <div className="live-insert">
+        <p className="soft small">{t.noDrawing}</p>
+      </div>
+    );
+  const side = sideOf(mill);
+  const span = spanOf(side);
+  const scale = HEIGHT / span;
+  const bar = wholeAbove(span / 6);
+  const number = (n: number) => formatNumber(language, n);
+  const angle = side.point > 0 ? `${number(mill["T-ANGLE"] ?? 0)}°` : t.flat;
+  const pointed = mill.TYPE === "DRILL" || mill.TYPE === "CENTER";
+  return (
+    <figure className="live-insert" aria-label={t.millDrawing}>
+      <svg className="insert-drawing" width={WIDTH} height={HEIGHT} viewBox={`0 0 ${WIDTH} ${HEIGHT}`} aria-hidden="true">
+        <Outline side={side} scale={scale} />
+      </svg>
+      <figcaption className="small">
+        <span className="scale-bar number">
+          <i style={{ width: `${bar * scale}px` }} /> {t.scale(number(bar))}
+        </span>
+        <span className="soft number">⌀ {t.scale(number(side.across))}{pointed && ` · ${angle}`}</span>
+        {side.edges !== null && <span className="soft number">{t.edges(number(side.edges))}</span>}
+        {side.pitch !== null && <span className="soft number">{t.pitch(number(side.pitch))}</span>}
+      </figcaption>
+    </figure>
+  );
+}

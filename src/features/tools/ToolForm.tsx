@@ -1,0 +1,148 @@
+import { useId, useMemo, type KeyboardEvent } from "react";
+import type { Issue } from "../../kernel/issue.ts";
+import type { Tool } from "../../kernel/tool.ts";
+import { applies, isDrillType, MILL_TABLE, type MillColumn, type NumberColumn } from "../../program/tool-columns.ts";
+import { cellOf, isMillEntry, readEntry, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { CodeField } from "./CodeField.tsx";
+import { LiveInsert, useLastTool } from "./LiveInsert.tsx";
+import { MillDrawing } from "./MillDrawing.tsx";
+import { NameFields } from "./NameFields.tsx";
+import { TipPicker } from "./TipPicker.tsx";
+import { setCell } from "./tool-edits.ts";
+import { closeStep } from "../../app/document/steps.ts";
+import { HolderFields } from "./HolderFields.tsx";
+import { CellMessages, ToolField } from "./ToolField.tsx";
+import { useToolName } from "../../app/document/tool-name.ts";
+
+type TurningColumn = Exclude<NumberColumn, MillColumn>;
+const INSERT: readonly TurningColumn[] = ["T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DCW"];
+const SETTING: readonly TurningColumn[] = ["ZL", "XL", "DZL", "DXL", "DYL", "ORI"];
+
+/** Enter goes on to the next field that can be filled, as ENT does on the control. */
+function onEnter(event: KeyboardEvent<HTMLElement>): void {
+  const from = event.target;
+  if (event.key !== "Enter" || !(from instanceof HTMLInputElement) || from.dataset["enter"] === "own") return;
+  event.preventDefault();
+  event.stopPropagation();
+  const fields = [...event.currentTarget.querySelectorAll<HTMLInputElement | HTMLSelectElement>("input:not(:disabled), select")].filter(
+    (f) => f.tabIndex >= 0
+  );
+  const next = fields[fields.indexOf(from) + 1];
+  next?.focus();
+  if (next instanceof HTMLInputElement && next.type === "text") next.select();
+}
+
+/** What the insert of a row looks like, whatever its number and name; `instead` stands for cells that do not matter either. */
+const shapeOf = (entry: ToolEntry, reading: EntryReading, instead: ToolEntry["cells"] = {}): Tool | null =>
+  reading.tool ?? readEntry({ ...entry, cells: { ...entry.cells, T: String(reading.number ?? 0), NAME: "", ...instead } }).tool;
+
+/** The orientation of a row with its picture and what is wrong with it. */
+function Orientation({ entry, reading, issues }: { readonly entry: ToolEntry; readonly reading: EntryReading;
+  readonly issues: readonly Issue[] })
+{
+  const id = useId();
+  const text = cellOf(entry, "TO");
+  const without = useMemo(() => shapeOf(entry, reading, { TO: "1" }), [entry, reading]);
+  const drawn = useLastTool(entry.id, without);
+  const value = Number(text);
+  return (
+    <div className="tool-field wide">
+      <TipPicker value={text.trim() === "" ? null : value} tool={drawn} onChoose={(to) => {
+        closeStep();
+        setCell(entry.id, "TO", String(to));
+        closeStep();
+      }} />
+      <CellMessages id={`${id}-wrong`} issues={issues.filter((issue) => issue.at === "TO")} text={text} />
+    </div>
+  );
+}
+
+interface Row {
+  readonly entry: ToolEntry;
+  readonly reading: EntryReading;
+}
+
+/** The columns of a turning tool, its insert drawn as they are typed. */
+function TurningColumns({ entry, reading }: Row) {
+  const t = useTableTexts().tools;
+  const type = cellOf(entry, "TYPE");
+  const { issues } = reading;
+  const shape = useMemo(() => shapeOf(entry, reading), [entry, reading]);
+  const drawn = useLastTool(entry.id, shape);
+  const field = (cell: TurningColumn) => (
+    <ToolField key={cell} entry={entry} cell={cell} issues={issues} unused={applies(cell, type) ? null : type} />
+  );
+  return (
+    <>
+      <LiveInsert tool={drawn} now={shape !== null} />
+      <fieldset className="tool-group">
+        <legend>{t.groups.name}</legend>
+        <NameFields entry={entry} issues={issues} />
+      </fieldset>
+      <CodeField key={entry.id} entry={entry} />
+      <fieldset className="tool-group">
+        <legend>{t.groups.tip}</legend>
+        <Orientation key={entry.id} entry={entry} reading={reading} issues={issues} />
+        {field("RS")}
+        {field("DRS")}
+      </fieldset>
+      <fieldset className="tool-group">
+        <legend>{t.groups.insert}</legend>
+        {INSERT.map(field)}
+      </fieldset>
+      <fieldset className="tool-group">
+        <legend>{t.groups.setting}</legend>
+        <p className="soft small tool-note">{t.keptOnly}</p>
+        {SETTING.map(field)}
+      </fieldset>
+      <fieldset className="tool-group">
+        <legend>{t.groups.holder}</legend>
+        <HolderFields entry={entry} issues={issues} />
+      </fieldset>
+    </>
+  );
+}
+
+/** The columns that a milling tool or a drill of its type has. */
+function MillColumns({ entry, reading: { issues, mill } }: Row) {
+  const t = useTableTexts().tools;
+  const type = cellOf(entry, "TYPE");
+  return (
+    <>
+      <MillDrawing mill={mill} />
+      <fieldset className="tool-group">
+        <legend>{t.groups.name}</legend>
+        <NameFields entry={entry} issues={issues} />
+      </fieldset>
+      <fieldset className="tool-group">
+        <legend>{t.groups.mill}</legend>
+        <p className="soft small tool-note">{isDrillType(type) ? t.drillNote : t.millNote}</p>
+        {MILL_TABLE.filter((cell) => applies(cell, type)).map((cell) => <ToolField key={cell} entry={entry} cell={cell} issues={issues} />)}
+      </fieldset>
+    </>
+  );
+}
+
+/** All columns of one tool, drawn as they are typed, and what can be done with the row. */
+export function ToolForm({ entry, reading, onDuplicate, onRemove }: Row & { readonly onDuplicate: () => void;
+  readonly onRemove: () => void })
+{
+  const t = useTableTexts().tools;
+  const name = useToolName()(entry);
+  return (
+    <section className="tool-form" aria-label={t.form(name)} onKeyDownCapture={onEnter}>
+      <header>
+        <h2>{name}</h2>
+        <button type="button" className="button" aria-label={t.duplicateLong(name)} onClick={onDuplicate}>
+          <Icon name="copy" /> {t.duplicate}
+        </button>
+        <button type="button" className="button" aria-label={t.removeLong(name)} onClick={onRemove}>
+          <Icon name="close" /> {t.remove}
+        </button>
+      </header>
+      {isMillEntry(entry) ? <MillColumns entry={entry} reading={reading} /> : <TurningColumns entry={entry} reading={reading} />}
+    </section>
+  );
+}

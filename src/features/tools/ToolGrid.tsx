@@ -1,0 +1,133 @@
+import { memo, useEffect, useRef, type KeyboardEvent } from "react";
+import { formatNumber } from "../../i18n/number.ts";
+import { applies, MILL_TABLE, ruleOf, TOOL_COLUMNS, type MillColumn, type ToolColumn } from "../../program/tool-columns.ts";
+import { cellOf, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
+import type { ToolListReading } from "../../program/tool-list.ts";
+import { anyNumber, readText } from "../../program/field.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { InsertDrawing } from "../../app/pictures/lathe/InsertDrawing.tsx";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { drillOf } from "../../program/tool-call.ts";
+import { openRow, type ToolKind } from "../../app/document/tool-place.ts";
+import { useToolName } from "../../app/document/tool-name.ts";
+
+/** Edge length of an insert in its row, px. */
+const DRAWING = 28;
+/** A longer table has no drawings in its rows: it must stay quick. */
+const MOST_DRAWN = 150;
+
+type Column = ToolColumn | MillColumn;
+
+/** Columns behind the two that name the row. */
+const COLUMNS: Readonly<Record<ToolKind, readonly Column[]>> = {
+  turning: TOOL_COLUMNS.filter((column) => column !== "T" && column !== "NAME"),
+  milling: ["TYPE", ...MILL_TABLE],
+};
+/** A number as the screen language writes it; other text as it was typed. */
+function useShown(): (column: Column, text: string) => string {
+  const language = useSettings((s) => s.language);
+  return (column, text) => {
+    if (column === "NAME" || column === "TYPE") return text;
+    const { value } = readText(anyNumber, text);
+    return value === null ? text : formatNumber(language, value, ruleOf(column).decimals);
+  };
+}
+
+const ToolRow = memo(
+  function ToolRow({ entry, reading, kind, open, drawn }: { readonly entry: ToolEntry; readonly reading: EntryReading;
+    readonly kind: ToolKind; readonly open: boolean; readonly drawn: boolean })
+  {
+    const t = useTableTexts().tools;
+    const name = useToolName()(entry);
+    const shown = useShown();
+    const type = cellOf(entry, "TYPE");
+    const cutter = reading.tool ?? (reading.mill && drillOf(reading.mill));
+    const wrong = new Set(reading.issues.filter((issue) => issue.severity === "error").map((issue) => issue.at));
+    return (
+      <tr className={open ? "open" : ""} onClick={() => openRow(entry.id)}>
+        <th scope="row" className={wrong.has("T") || wrong.has("NAME") ? "wrong" : ""}>
+          <button type="button" data-row={entry.id} tabIndex={open ? 0 : -1} aria-current={open ? "true" : undefined}
+            aria-label={`${t.select(name)}${wrong.size > 0 ? `, ${t.hasError}` : ""}`}
+          >
+            {drawn && (
+              <span className="row-insert">
+                {cutter ? <InsertDrawing tool={cutter} width={DRAWING} height={DRAWING} /> : !reading.mill && <Icon name="error" />}
+              </span>
+            )}
+            <b className="number">{cellOf(entry, "T")}</b>
+            <span className="row-name number">{cellOf(entry, "NAME")}</span>
+            {wrong.size > 0 && !drawn && <Icon name="error" />}
+          </button>
+        </th>
+        {COLUMNS[kind].map((column) => {
+          const unused = !applies(column, type);
+          const text = cellOf(entry, column);
+          return (
+            <td key={column}
+              className={`number${unused ? " unused" : ""}${wrong.has(column) ? " wrong" : ""}${column === "TYPE" ? " word" : ""}`}
+            >
+              {text.trim() === "" ? (unused ? "–" : "") : shown(column, text)}
+            </td>
+          );
+        })}
+      </tr>
+    );
+  },
+);
+
+/** The whole table; one row is open and can be edited beside it. Arrow keys go from row to row. */
+export function ToolGrid({ list, kind, read, open }: {
+  /** The rows of this kind. */
+  readonly list: readonly ToolEntry[];
+  readonly kind: ToolKind;
+  readonly read: ToolListReading;
+  readonly open: string | null;
+}) {
+  const t = useTableTexts().tools;
+  const box = useRef<HTMLDivElement>(null);
+  const at = list.findIndex((entry) => entry.id === open);
+
+  useEffect(() => {
+    box.current?.querySelector<HTMLElement>("tr.open")?.scrollIntoView?.({ block: "nearest" });
+  }, [open]);
+
+  const onKeyDown = (event: KeyboardEvent) => {
+    const ways: Readonly<Record<string, number>> = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: list.length - 1 };
+    const to = ways[event.key];
+    const next = to === undefined ? undefined : list[to];
+    if (!next) return;
+    event.preventDefault();
+    openRow(next.id);
+    box.current?.querySelector<HTMLElement>(`button[data-row="${next.id}"]`)?.focus();
+  };
+  return (
+    <div className="tool-grid" ref={box} onKeyDown={onKeyDown}>
+      <table aria-label={kind === "milling" ? t.millTable : t.table}>
+        <thead>
+          <tr>
+            <th scope="col" title={t.columns.T}>
+              T <span className="soft">NAME</span>
+            </th>
+            {COLUMNS[kind].map((column) => (
+              <th key={column} scope="col" className={column === "TYPE" ? "word" : undefined}
+                title={t.field(column, kind === "milling" && column === "T-ANGLE" ? t.drillAngle : t.columns[column])}
+              >
+                {column}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {list.map((entry) => {
+            const reading = read.rows.get(entry.id);
+            return reading && (
+              <ToolRow key={entry.id} entry={entry} reading={reading} kind={kind} open={entry.id === open}
+                drawn={list.length <= MOST_DRAWN} />
+            );
+          })}
+        </tbody>
+      </table>
+    </div>
+  );
+}

@@ -1,0 +1,271 @@
+import { cleanup, render, screen, within } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { shippedTools } from "../../program/shipped-tools.ts";
+import { cellOf, tableOrigin } from "../../program/tool-entry.ts";
+import { shippedList } from "../../program/tool-list.ts";
+import { writeTableText } from "../../program/tool-table-text.ts";
+import { onHistoryKey } from "../../app/document/history.ts";
+import { useKeeping } from "../../app/records/keep.ts";
+import { changeSettings } from "../../app/base/settings/settings.ts";
+import { undo, useSteps } from "../../app/document/steps.ts";
+import { readKept, startTools, writeKept } from "../../app/records/keep-tools.ts";
+import { showTools, showToolNumber, useToolPlace } from "../../app/document/tool-place.ts";
+import { toolsOnDevice, takeTools, useTools } from "../../app/document/tool-store.ts";
+import { toolTable } from "../../app/document/work-tools.ts";
+import { ToolPage } from "./ToolPage.tsx";
+
+const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { name });
+const list = () => useTools.getState().list;
+const row = (n: number) => list().find((entry) => entry.id === `r${n}`);
+const steps = () => useSteps.getState().past.length;
+
+// The DOM of the tests has no modal dialogs: one of its own opens and closes them.
+HTMLDialogElement.prototype.showModal = function open(this: HTMLDialogElement) {
+  this.open = true;
+};
+HTMLDialogElement.prototype.close = function close(this: HTMLDialogElement) {
+  this.open = false;
+};
+
+beforeEach(() => {
+  changeSettings({ language: "en" });
+  localStorage.removeItem("turnwise/tools");
+  localStorage.removeItem("turnwise/tools/damaged");
+  useKeeping.setState({ notices: [] });
+  takeTools(shippedList);
+  useToolPlace.setState({ shown: true, row: null, kind: "turning" });
+});
+afterEach(cleanup);
+
+test("typing in one cell is one step of undo, and other tools stay as they are", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  await user.clear(field("RS: cutting edge radius"));
+  await user.type(field("RS: cutting edge radius"), "1.25");
+  expect(toolTable().tools[0]?.RS).toBe(1.25);
+  expect(toolTable().tools.slice(1)).toEqual(shippedTools.slice(1));
+  expect(steps()).toBe(1);
+  undo();
+  expect(toolTable().tools).toEqual(shippedTools);
+});
+
+test("the history keys work on the table while it is shown, and open the row that changes", async () => {
+  render(<ToolPage />);
+  document.addEventListener("keydown", onHistoryKey);
+  const user = userEvent.setup();
+  await user.type(field("NAME: tool name"), "x");
+  expect(cellOf(row(1) ?? shippedList[0]!, "NAME")).toBe("CNMG-80-R08X");
+  await user.click(screen.getByRole("button", { name: "Edit tool 4 VNMG-35-R04" }));
+  await user.keyboard("{Control>}z{/Control}");
+  expect(row(1)).toEqual(shippedList[0]);
+  expect(useToolPlace.getState().row).toBe("r1");
+  document.removeEventListener("keydown", onHistoryKey);
+});
+
+test("a cell that cannot be used is said at its column, refused for programs, and its last insert stays", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  await user.clear(field("P-ANGLE: point angle"));
+  await user.type(field("P-ANGLE: point angle"), "85");
+  expect(field("P-ANGLE: point angle").getAttribute("aria-invalid")).toBe("true");
+  const described = field("P-ANGLE: point angle").getAttribute("aria-describedby")?.split(" ").map((id) =>
+    document.getElementById(id)?.textContent ?? ""
+  ).join(" ");
+  expect(described).toContain("It must be less than 85.");
+  expect(within(screen.getByRole("figure")).getByText(/Last possible insert/)).toBeTruthy();
+  expect([...toolTable().refused.keys()]).toEqual([1]);
+  expect(screen.getByText("1 with an error")).toBeTruthy();
+});
+
+test("columns that a type has no use for cannot be typed into and keep their values", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "BUTTON");
+  for (const name of [
+    "T-ANGLE: setting angle",
+    "P-ANGLE: point angle",
+    "CUTLENGTH: length of the cutting edge",
+    "CUTWIDTH: width of the cutting edge",
+    "DCW: oversize of the width",
+  ])
+    expect(field(name).disabled).toBe(true);
+  expect(field("T-ANGLE: setting angle").value).toBe("95");
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "ROUGH");
+  expect(toolTable().tools).toEqual(shippedTools);
+});
+
+test("TO by arrow keys goes where the arrow points", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  screen.getByRole("radio", { name: "TO 1: −Z −X" }).focus();
+  await user.keyboard("{ArrowUp}");
+  expect(toolTable().tools[0]?.TO).toBe(8);
+  await user.keyboard("{ArrowRight}");
+  expect(toolTable().tools[0]?.TO).toBe(9);
+  await user.keyboard("{ArrowUp}{ArrowRight}");
+  expect(toolTable().tools[0]?.TO).toBe(5);
+});
+
+test("numbers are shown in the writing of the screen language", async () => {
+  changeSettings({ language: "de" });
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  expect(field("RS: Schneidenradius").value).toBe("0,8");
+  await user.clear(field("RS: Schneidenradius"));
+  await user.type(field("RS: Schneidenradius"), "1,2/2{Tab}");
+  expect(toolTable().tools[0]?.RS).toBe(0.6);
+});
+
+test("a file is taken over as one step, what it is missing is said", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  const text = writeTableText(shippedTools.slice(0, 2)).replace("CNMG", "SHOP").replace("[END]", "77      HALF");
+  await screen.findByRole("button", { name: /^Import tools/ });
+  const input = document.querySelector<HTMLInputElement>("input[type=file]");
+  await user.upload(input as HTMLInputElement, new File([text], "T.TRN"));
+  const all = await screen.findByRole("button", { name: "Take all (3)" });
+  expect(screen.getByText("NAME CNMG-80-R08 → SHOP-80-R08")).toBeTruthy();
+  expect(document.activeElement).toBe(all);
+  await user.keyboard("{Enter}");
+  await vi.waitFor(() => expect(screen.getByText(/T\.TRN: 1 new, 1 changed\. 1 row has an error\..*\[END\] is missing/)).toBeTruthy(), {
+    timeout: 60_000,
+  });
+  expect(toolTable().tools[0]?.NAME).toBe("SHOP-80-R08");
+  expect(steps()).toBe(1);
+  await user.click(within(screen.getByText(/T\.TRN/).closest("p") as HTMLElement).getByRole("button", { name: /^Undo – / }));
+  expect(toolTable().tools).toEqual(shippedTools);
+});
+
+test("the row of a tool is opened by its number", () => {
+  showToolNumber(8);
+  render(<ToolPage />);
+  expect(field("NAME: tool name").value).toBe("FACE-RECTURN-3");
+  showTools();
+  expect(useToolPlace.getState()).toMatchObject({ shown: true, row: "r8" });
+});
+
+test("what is kept comes back; the shipped table is not kept, so that it can be a better one later", () => {
+  const changed = list().map((entry) => (entry.id === "r2" ? { ...entry, cells: { ...entry.cells, RS: "abc" } } : entry));
+  expect(readKept(writeKept(changed) ?? "")).toEqual(changed);
+  expect(writeKept(shippedList)).toBeNull();
+  for (const damaged of [
+    "",
+    "{",
+    "[]",
+    '{"version":3,"rows":[]}',
+    '{"version":1,"rows":[{"id":"a","cells":{"RS":1}}]}',
+    '{"version":1,"rows":[{"id":"a","cells":{}},{"id":"a","cells":{}}]}',
+  ])
+    expect(readKept(damaged)).toBeNull();
+  expect(readKept('{"version":1,"rows":[]}')).toEqual([]);
+  const bare = shippedList.map(({ id, cells: { width: _w, length: _l, offsetZ: _z, offsetX: _x, axis: _a, head: _h, ...cells } }) => ({
+    id,
+    cells,
+  }));
+  const [first, second, ...others] = bare;
+  const older = [first, { ...second, cells: { ...second?.cells, RS: "0.85" } }, ...others];
+  const [one, two, ...rest] = readKept(JSON.stringify({ version: 1, rows: older })) ?? [];
+  expect([one, ...rest]).toEqual([shippedList[0], ...shippedList.slice(2)]);
+  expect(two).toEqual(older[1]);
+  expect(readKept(JSON.stringify({ version: 2, rows: older }))).toEqual(older);
+});
+
+test("changes are kept on the device, damaged tables are set aside, other tabs are followed", () => {
+  localStorage.setItem("turnwise/tools", "{broken");
+  const stop = startTools();
+  expect(useKeeping.getState().notices).toEqual(["toolsDamaged"]);
+  expect(localStorage.getItem("turnwise/tools/damaged")).toBe("{broken");
+  expect(list()).toEqual(shippedList);
+  const changed = shippedList.slice(0, 3);
+  useTools.setState({ list: changed });
+  dispatchEvent(new Event("pagehide"));
+  expect(readKept(localStorage.getItem("turnwise/tools") ?? "")).toEqual(changed);
+  const foreign = shippedList.slice(0, 5);
+  dispatchEvent(new StorageEvent("storage", { key: "turnwise/tools", newValue: writeKept(foreign), storageArea: localStorage }));
+  expect(list()).toEqual(foreign);
+  expect(steps()).toBe(0);
+  stop();
+  expect(toolsOnDevice(list()).table.tools).toEqual(shippedTools.slice(0, 5));
+});
+
+test("a drill shows only the columns that it has, stands among the milling tools, and gives programs its point", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  await user.click(screen.getByRole("button", { name: "Milling and drilling" }));
+  await user.click(screen.getByRole("button", { name: "New tool" }));
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "DRILL");
+  const names = screen.getAllByRole<HTMLInputElement>("textbox").map((each) => each.getAttribute("aria-label")?.split(":")[0]);
+  expect(names).toEqual(["T", "NAME", "R", "DR", "L", "DL", "T-ANGLE", "LCUTS"]);
+  await user.type(field("R: tool radius"), "4,25");
+  await user.type(field("T-ANGLE: point angle"), "118");
+  await user.type(field("LCUTS: length of the edges"), "47");
+  expect(toolTable().mills).toEqual([{ T: 16, NAME: "", TYPE: "DRILL", R: 4.25, "T-ANGLE": 118, LCUTS: 47 }]);
+  expect(screen.getByRole("figure", { name: "Tool to scale" }).textContent).toContain("8.5 mm · 118°");
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "TAP");
+  await user.type(field("PITCH: thread pitch"), "1.25");
+  expect(toolTable().mills).toEqual([{ T: 16, NAME: "", TYPE: "TAP", R: 4.25, LCUTS: 47, PITCH: 1.25 }]);
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "MILL");
+  expect(screen.queryByRole("textbox", { name: "PITCH: thread pitch" })).toBeNull();
+  expect(toolTable().mills).toEqual([{ T: 16, NAME: "", R: 4.25 }]);
+});
+
+test("a code is read while it is typed, and Enter fills what it says as one step", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  await user.click(screen.getByRole("button", { name: "New tool" }));
+  const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "ISO code of insert or holder" });
+  const before = steps();
+  await user.type(code, "dnmg 15 06 08");
+  const said = within(screen.getByRole("list", { name: "What the code says" })).getAllByRole("listitem").map((item) => item.textContent);
+  expect(said[0]).toBe("D Shape: rhombic, 55°");
+  expect(said[6]).toBe("08 Corner radius: 0.8 mm");
+  await user.type(code, "{Enter}");
+  expect(steps()).toBe(before + 1);
+  expect(code.value).toBe("");
+  await user.type(code, "PDJNL 2525M15{Enter}");
+  expect(toolTable().tools.at(-1)).toMatchObject({
+    T: 16,
+    NAME: "DNMG150608",
+    TYPE: "ROUGH",
+    TO: 3,
+    RS: 0.8,
+    "T-ANGLE": 93,
+    "P-ANGLE": 55,
+    CUTLENGTH: 15.5,
+    holder: { width: 25, offsetZ: -7 },
+  });
+  undo();
+  undo();
+  expect(toolTable().tools.at(-1)?.NAME).toBe("FACE-DNMG-55-R08");
+});
+
+test("a code that is not covered says so, one that contradicts the row too, and a name that is a code can be read", async () => {
+  render(<ToolPage />);
+  const user = userEvent.setup();
+  const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "ISO code of insert or holder" });
+  await user.type(code, "16ER AG60");
+  expect(screen.getByText(/Codes of thread tools/)).toBeTruthy();
+  await user.type(code, "{Escape}PDJNR 2525M15");
+  expect(screen.getByText("P-ANGLE is 80°; the holder takes inserts of 55°. P-ANGLE stays.")).toBeTruthy();
+  await user.type(code, "{Escape}");
+  await user.clear(field("NAME: tool name"));
+  await user.type(field("NAME: tool name"), "ccmt 09t304");
+  await user.click(screen.getByRole("button", { name: "Read the name CCMT 09T304 as a code" }));
+  expect(code.value).toBe("CCMT 09T304");
+  expect(within(screen.getByRole("list", { name: "What will be filled" })).getAllByRole("listitem").map((item) => item.textContent))
+    .toEqual(["CUTLENGTH 12 → 9.67", "RS 0.8 → 0.4"]);
+});
+
+test("the file that tools came from is kept on the device once, with the line of each", () => {
+  const origin = tableOrigin("T.TRN", "BEGIN T.TRN MM\r\nträger", "windows-1252");
+  const kept = shippedList.map((entry, at) => (at < 2 ? { ...entry, line: { origin, at: at + 2 } } : entry));
+  const text = writeKept(kept) ?? "";
+  expect(text.split("träger")).toHaveLength(2);
+  const read = readKept(text);
+  expect(read).toEqual(kept);
+  expect(read?.[1]?.line?.origin.text).toBe(origin.text);
+  expect(JSON.stringify(read)).not.toContain("träger");
+  const apart = JSON.parse(JSON.stringify(kept)) as typeof kept;
+  expect(readKept(writeKept(apart) ?? "")).toEqual(apart.map(({ id, cells }) => ({ id, cells })));
+});

@@ -1,0 +1,149 @@
+import { useEffect, useRef, useState } from "react";
+import { Icon } from "../../app/base/Icon.tsx";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { showOwn } from "../../app/document/own-place.ts";
+import { addTool, duplicateTool, removeTool, takeShipped } from "./tool-edits.ts";
+import { isMillEntry } from "../../program/tool-entry.ts";
+import { bringFiles, exportAgain, exportTools, takeBrought, type Brought } from "./tool-files.ts";
+import { hideTools, openRow, showKind, useToolPlace, type ToolKind } from "../../app/document/tool-place.ts";
+import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
+import { useToolName } from "../../app/document/tool-name.ts";
+import { TableStatus, type TableSaid } from "../../app/fields/table/TableStatus.tsx";
+import { ExportDialog } from "./ExportDialog.tsx";
+import { ImportDialog } from "./ImportDialog.tsx";
+import { TableTabs } from "../../app/fields/table/TableTabs.tsx";
+import { useToolWords } from "./use-tool-words.ts";
+import { ToolForm } from "./ToolForm.tsx";
+import { ToolGrid } from "./ToolGrid.tsx";
+import "../../app/fields/table/tools.css";
+
+/** The tool table of this device: the whole table, and the columns of one tool beside it. */
+export function ToolPage() {
+  const t = useTableTexts().tools;
+  const nameOf = useToolName();
+  const list = useTools((s) => s.list);
+  const asked = useToolPlace((p) => p.row);
+  const lastKind = useToolPlace((p) => p.kind);
+  const [said, setSaid] = useState<TableSaid | null>(null);
+  const [asking, ask] = useState<Brought | "export" | null>(null);
+  const w = useToolWords();
+  const language = useSettings((s) => s.language);
+  const page = useRef<HTMLElement>(null);
+  const file = useRef<HTMLInputElement>(null);
+  const read = toolsOnDevice(list);
+  const opened = list.find((each) => each.id === asked);
+  const kind: ToolKind = opened ? (isMillEntry(opened) ? "milling" : "turning") : lastKind;
+  const rows = list.filter((each) => isMillEntry(each) === (kind === "milling"));
+  const entry = opened ?? rows[0];
+  const reading = entry && read.rows.get(entry.id);
+  const wrong = list.length - read.table.tools.length - read.mills.length;
+
+  const focusRow = () => requestAnimationFrame(() => page.current?.querySelector<HTMLElement>("tr.open button")?.focus());
+  const focusField = () =>
+    requestAnimationFrame(() => {
+      const field = page.current?.querySelector<HTMLInputElement>(".tool-form input[type=text]");
+      field?.focus();
+      field?.select();
+    });
+  useEffect(() => {
+    page.current?.querySelector<HTMLElement>("tr.open button")?.focus();
+  }, []);
+
+  const edited = (row: string) => {
+    setSaid(null);
+    openRow(row);
+    focusField();
+  };
+  const receive = (brought: Brought | TableSaid) => {
+    if ("failed" in brought) return setSaid(brought);
+    setSaid(null);
+    ask(brought);
+  };
+  const remove = (id: string, name: string) => {
+    showKind(kind);
+    openRow(removeTool(id));
+    setSaid({ sentences: [t.removed(name)], failed: false, changed: true });
+    focusRow();
+  };
+
+  return (
+    <main className="tool-page" ref={page}>
+      <div className="tool-head">
+        <button type="button" className="button" aria-label={t.backLong} onClick={hideTools}>
+          <Icon name="back" /> {t.back}
+        </button>
+        <div className="tool-title">
+          <p>{t.lead}</p>
+          <p className="soft small">
+            {t.count(list.length)}
+            {wrong > 0 && (
+              <>
+                · <span className="tool-errors">{t.wrongCount(wrong)}</span>
+              </>
+            )}
+          </p>
+        </div>
+        <div className="tool-buttons">
+          <button type="button" className="button primary" onClick={() => edited(addTool(kind))}>
+            <Icon name="add" /> {t.add}
+          </button>
+          <button type="button" className="button" aria-label={t.restoreLong} onClick={() => {
+            takeShipped();
+            setSaid({ sentences: [t.restored], failed: false, changed: true });
+          }}>
+            {t.restore}
+          </button>
+        </div>
+        <div className="tool-buttons" role="group" aria-label={t.files}>
+          {w && (
+            <>
+              <button type="button" className="button" aria-label={w.files.importLong} onClick={() => file.current?.click()}>
+                <Icon name="add" /> {t.import}
+              </button>
+              <button type="button" className="button" aria-label={w.files.exportLong} onClick={() => ask("export")}>
+                <Icon name="download" /> {w.files.export}
+              </button>
+            </>
+          )}
+          <input ref={file} type="file" hidden multiple accept=".json,.trn,.t,.tab,.txt,.csv,application/json,text/plain,text/csv"
+            onChange={(e) => {
+              const chosen = [...(e.currentTarget.files ?? [])];
+              e.currentTarget.value = "";
+              if (chosen.length > 0 && w) void bringFiles(chosen, t, w.files).then(receive);
+            }} />
+        </div>
+      </div>
+      <TableStatus said={said} undo={t.undo} done={() => {
+        setSaid(null);
+        focusRow();
+      }} />
+      {w && asking === "export" && (
+        <ExportDialog words={w.files} done={() => ask(null)} again={(origin) => {
+          ask(null);
+          setSaid(exportAgain(origin, t, w.files));
+        }} write={(way) => {
+          ask(null);
+          setSaid(exportTools(way, language, t, w.files));
+        }} />
+      )}
+      {w && asking !== null && asking !== "export" && (
+        <ImportDialog brought={asking} words={w.files} done={() => ask(null)} take={(choice) => {
+          ask(null);
+          setSaid(takeBrought(asking, choice, t, w.files));
+        }} />
+      )}
+      <div className="tool-list">
+        <TableTabs open={kind} onTools={showKind} onOwn={() => showOwn()} />
+        {rows.length === 0
+          ? <p className="tool-none">{t.none}</p>
+          : <ToolGrid list={rows} kind={kind} read={read} open={entry?.id ?? null} />}
+        <p className="small evidence-text tool-note">{t.unconfirmed}</p>
+      </div>
+      {entry && reading && (
+        <ToolForm entry={entry} reading={reading} onDuplicate={() => edited(duplicateTool(entry.id))} onRemove={() =>
+          remove(entry.id, nameOf(entry))} />
+      )}
+    </main>
+  );
+}

@@ -1,0 +1,57 @@
+import { MILL, type CellName } from "../../program/tool-columns.ts";
+import { cellOf, isMillEntry, readEntry, type ToolEntry } from "../../program/tool-entry.ts";
+import { freeNumber, newId, shippedList } from "../../program/tool-list.ts";
+import { closeStep } from "../../app/document/steps.ts";
+import type { ToolKind } from "../../app/document/tool-place.ts";
+import { editTools, useTools } from "../../app/document/tool-store.ts";
+
+/** The typed text of one cell. */
+export function setCell(id: string, cell: CellName, text: string): void {
+  editTools(
+    (list) =>
+      list.map((entry) => entry.id === id && cellOf(entry, cell) !== text ? { ...entry, cells: { ...entry.cells, [cell]: text } } : entry),
+    `tool ${id} ${cell}`,
+  );
+}
+
+/** Several cells of one row: one step of undo. */
+export function setCells(id: string, cells: ToolEntry["cells"]): void {
+  closeStep();
+  editTools((list) => list.map((entry) => entry.id === id ? { ...entry, cells: { ...entry.cells, ...cells } } : entry));
+}
+
+/** A new row with the next free number and what every table begins with; gives its id. */
+export function addTool(kind: ToolKind): string {
+  const { list } = useTools.getState();
+  const id = newId(list);
+  editTools(
+    () => [...list, { id, cells: { T: String(freeNumber(list)), ...(kind === "milling" ? { TYPE: MILL } : { TYPE: "ROUGH", TO: "1" }) } }]
+  );
+  return id;
+}
+
+/** The same tool once more, under it, with the next free number; gives the id of the copy. */
+export function duplicateTool(id: string): string {
+  const { list } = useTools.getState();
+  const at = list.findIndex((entry) => entry.id === id);
+  const entry = list[at];
+  if (!entry) return id;
+  const copy = newId(list);
+  const T = String(freeNumber(list, readEntry(entry).number ?? 0));
+  editTools(() => [...list.slice(0, at + 1), { id: copy, cells: { ...entry.cells, T } }, ...list.slice(at + 1)]);
+  return copy;
+}
+
+/** Takes a row out; gives the id of the row of its kind that is then in its place, null when none is left. */
+export function removeTool(id: string): string | null {
+  const { list } = useTools.getState();
+  const entry = list.find((each) => each.id === id);
+  const kin = list.filter((each) => entry && isMillEntry(each) === isMillEntry(entry));
+  const at = kin.findIndex((each) => each.id === id);
+  const next = kin[at + 1] ?? kin[at - 1] ?? null;
+  editTools((rows) => rows.filter((entry) => entry.id !== id));
+  return next?.id ?? null;
+}
+
+/** The shipped table in place of this one: one step of undo. */
+export const takeShipped = (): void => editTools(() => shippedList);

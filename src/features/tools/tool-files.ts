@@ -1,0 +1,158 @@
+import type { ToolsTexts } from "../../i18n/en/tools.ts";
+import type { Language } from "../../i18n/languages.ts";
+import { decimalSign } from "../../i18n/number.ts";
+import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
+import { tableAgain } from "../../program/table-again.ts";
+import { cellOf, isMillEntry, tableOrigin, type EntryReading, type TableLine, type TableOrigin } from "../../program/tool-entry.ts";
+import { planImport, type IncomingTools } from "../../program/tool-import.ts";
+import { writeTableCsv } from "../../program/tool-table-csv.ts";
+import { readToolFile, writeTableJson } from "../../program/tool-table-json.ts";
+import { writeMillText, writeTableText } from "../../program/tool-table-text.ts";
+import { decode, encode } from "../../app/document/encoding.ts";
+import { downloadBytes, downloadText } from "../../app/base/download.ts";
+import { closeStep } from "../../app/document/steps.ts";
+import { openRow } from "../../app/document/tool-place.ts";
+import { editTools, toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
+import type { TableSaid } from "../../app/fields/table/TableStatus.tsx";
+
+const failure = (sentence: string): TableSaid => ({ sentences: [sentence], failed: true, changed: false });
+
+const isSound = (reading: EntryReading | undefined) => Boolean(reading?.tool ?? reading?.mill);
+
+/** What files bring, before any of it is in the table. */
+export interface Brought {
+  /** The names of the files. */
+  readonly name: string;
+  readonly incoming: IncomingTools;
+  /** Columns without a place here: those of tables stay with the file, those of others are left out. */
+  readonly kept: readonly string[];
+  readonly leftOut: readonly string[];
+  readonly cutShort: boolean;
+}
+
+/** Larger files hold more than a tool table, bytes. */
+const LARGEST = 20_000_000;
+
+function broughtBy(bytes: Uint8Array, name: string, t: ToolsTexts, w: ToolFileTexts): Brought | TableSaid {
+  const { text, encoding } = decode(bytes);
+  const read = readToolFile(text);
+  if ("problem" in read) {
+    switch (read.problem) {
+      case "columnsMissing":
+        return failure(t.problems.columnsMissing(name, read.columns.join(", ")));
+      case "tooMany":
+        return failure(t.problems.tooMany(name, read.most));
+      case "noRows":
+        return failure(t.problems.noRows(name));
+      case "notATable":
+        return failure(w.notATable(name));
+    }
+  }
+  const { rows, table, columns, leftOut, cutShort } = read;
+  const origin = tableOrigin(name, text, encoding);
+  const lines = rows.map((_, i): TableLine | undefined => {
+    const at = table?.lines[i];
+    return at === undefined ? undefined : { origin, at };
+  });
+  const incoming = { rows, lines, columns: rows.map(() => columns), names: table?.turning ?? new Map<number, string>() };
+  return { name, incoming, kept: table ? leftOut : [], leftOut: table ? [] : leftOut, cutShort };
+}
+
+const joined = (all: readonly Brought[]): Brought => ({
+  name: all.map((each) => each.name).join(", "),
+  incoming: {
+    rows: all.flatMap((each) => each.incoming.rows),
+    lines: all.flatMap((each) => each.incoming.lines),
+    columns: all.flatMap((each) => each.incoming.columns),
+    names: new Map(all.flatMap((each) => [...each.incoming.names])),
+  },
+  kept: [...new Set(all.flatMap((each) => each.kept))],
+  leftOut: [...new Set(all.flatMap((each) => each.leftOut))],
+  cutShort: all.some((each) => each.cutShort),
+});
+
+/** Reads the files that were chosen, together; or says what is wrong with the first of them that cannot be read. */
+export async function bringFiles(files: readonly File[], t: ToolsTexts, w: ToolFileTexts): Promise<Brought | TableSaid> {
+  const all: Brought[] = [];
+  for (const file of files) {
+    if (file.size > LARGEST) return failure(t.problems.tooLarge(file.name));
+    try {
+      const brought = broughtBy(new Uint8Array(await file.arrayBuffer()), file.name, t, w);
+      if ("failed" in brought) return brought;
+      all.push(brought);
+    } catch {
+      return failure(t.problems.unreadable(file.name));
+    }
+  }
+  return joined(all);
+}
+
+/** Takes over what files brought: one step of undo. */
+export function takeBrought(brought: Brought, choice: "all" | "new", t: ToolsTexts, w: ToolFileTexts): TableSaid {
+  const { list, fresh, changed, wrong } = planImport(useTools.getState().list, brought.incoming, choice);
+  closeStep();
+  editTools(() => list);
+  const first = fresh[0] ?? changed[0]?.tool;
+  if (first) openRow(first.id);
+  return {
+    failed: false,
+    changed: true,
+    sentences: [
+      w.taken(brought.name, fresh.length, changed.length),
+      ...(wrong.length > 0 ? [t.importedWrong(wrong.length)] : []),
+      ...(brought.cutShort ? [t.cutShort] : []),
+    ],
+  };
+}
+
+export type ExportKind = "json" | "csv" | "turning" | "milling";
+
+/** Hands the table to the downloads of the browser. Rows with errors stay here, and that is said. */
+export function exportTools(kind: ExportKind, language: Language, t: ToolsTexts, w: ToolFileTexts): TableSaid {
+  const { list } = useTools.getState();
+  const { table, mills, rows } = toolsOnDevice(list);
+  const all = table.tools.length + mills.length;
+  const files = {
+    json: { name: "TOOLS.json", text: () => writeTableJson(table.tools, mills), count: all },
+    csv: {
+      name: "TOOLS.csv",
+      text: () => writeTableCsv(table.tools, mills, decimalSign(language) === "," ? "comma" : "point"),
+      count: all,
+    },
+    turning: { name: "TOOLTURN.TRN", text: () => writeTableText(table.tools), count: table.tools.length },
+    milling: { name: "TOOL.T", text: () => writeMillText(mills), count: mills.length },
+  };
+  const { name, text, count } = files[kind];
+  downloadText(text(), name);
+  const meant = list.filter((entry) => kind === "json" || kind === "csv" || isMillEntry(entry) === (kind === "milling"));
+  const without = meant.filter((entry) => !isSound(rows.get(entry.id))).map((entry) =>
+    cellOf(entry, "T") || cellOf(entry, "NAME") || t.noNumber
+  );
+  return {
+    failed: false,
+    changed: false,
+    sentences: [
+      t.exported(name, count),
+      ...(without.length > 0 ? [t.exportedWithout(without.join(", "))] : []),
+      ...(kind === "turning" && table.tools.some((tool) => tool.holder) ? [w.noHolders] : []),
+    ],
+  };
+}
+
+/** Hands a table file out again as it came, with the changes of its tools. */
+export function exportAgain(origin: TableOrigin, t: ToolsTexts, w: ToolFileTexts): TableSaid {
+  const made = tableAgain(origin, useTools.getState().list);
+  if (!made) return failure(t.problems.unreadable(origin.name));
+  const bytes = encode(made.text, origin.encoding);
+  downloadBytes(bytes, origin.name);
+  return {
+    failed: false,
+    changed: false,
+    sentences: [
+      w.againDone(origin.name, made.changed, made.added, made.removed),
+      ...(made.shipped > 0 ? [w.againShipped(made.shipped)] : []),
+      ...(made.tooLong.length > 0 ? [w.tooLong(made.tooLong.map(({ tool, column }) => `T${tool} ${column}`).join(", "))] : []),
+      ...(decode(bytes).encoding === origin.encoding ? [] : [w.notEncodable]),
+    ],
+  };
+}

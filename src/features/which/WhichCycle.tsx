@@ -1,0 +1,99 @@
+import { Suspense, useMemo, useRef, useState } from "react";
+import { loadWhich } from "../../i18n/load-which.ts";
+import { comparison as byWorker } from "../../app/calculation/beside.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { lazyPart } from "../../app/base/parts.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { canBePreturned, readAsking, soughtAt, usualNumbers, type Sought, type WhichRegion } from "../../app/document/asking.ts";
+import type { Comparer } from "../../app/calculation/comparison.ts";
+import { Sentence } from "./Sentence.tsx";
+import { ContourStretch } from "./ContourStretch.tsx";
+import { takeWay } from "./take.ts";
+import { useComparison } from "./use-comparison.ts";
+import { WayCards } from "./WayCards.tsx";
+import { laterTexts } from "../../app/base/settings/later-texts.ts";
+import { useModal } from "../../app/base/use-modal.ts";
+import "./which.css";
+
+const { useThemSoon: useWhichTexts } = laterTexts(loadWhich);
+
+const ContourTable = lazyPart(async () => ({ default: (await import("../contour/ContourTable.tsx")).ContourTable }));
+
+interface Props {
+  readonly done: () => void;
+  /** The place of an opened work that is asked about; null asks about nothing in particular. */
+  readonly region: WhichRegion | null;
+  readonly comparison?: Comparer;
+}
+
+function begun(region: WhichRegion | null): Sought {
+  if (!region) return { site: "outside", shape: "step", stock: "solid", typed: usualNumbers("outside", "step"), rows: [] };
+  return soughtAt(region);
+}
+
+/** A change of the sentence with what follows from it: until a number is typed, each shape begins with usual ones. */
+function asked(before: Sought, change: Partial<Sought>, isTyped: boolean): Sought {
+  const next = { ...before, ...change };
+  const stock = next.stock === "preturned" && !canBePreturned(next.shape) ? "solid" : next.stock;
+  const reshaped = change.site !== undefined || change.shape !== undefined;
+  return { ...next, stock, typed: reshaped && !isTyped ? usualNumbers(next.site, next.shape) : next.typed };
+}
+
+/** Asks what is to be turned and shows the ways to do it side by side. */
+export function WhichCycle({ done, region, comparison = byWorker }: Props) {
+  const t = useTexts();
+  const language = useSettings((s) => s.language);
+  const dialog = useRef<HTMLDialogElement>(null);
+  useModal(dialog);
+  const words = useWhichTexts();
+  const [place, pick] = useState(region);
+  const [asking, ask] = useState(() => begun(region));
+  const [isTyped, type] = useState(false);
+  const { wanted, fault } = useMemo(() => readAsking(asking), [asking]);
+  const stock = asking.stock === "now" ? (place?.stock ?? null) : null;
+  const compared = useComparison(wanted, stock, comparison);
+
+  const onAsk = (change: Partial<Sought>) => {
+    if (change.typed) type(true);
+    ask((before) => asked(before, change, isTyped || region !== null));
+  };
+  return (
+    <dialog ref={dialog} className="which" aria-label={words?.title} onClose={() => !dialog.current?.open && done()}
+      onKeyDown={(event) => event.stopPropagation()}
+    >
+      {words && (
+        <>
+          <header className="which-head">
+            <h2>{words.title}</h2>
+            <button type="button" className="button icon plain" aria-label={t.page.close} onClick={() => dialog.current?.close()}>
+              <Icon name="close" />
+            </button>
+          </header>
+          <p className="soft">{words.lead}</p>
+          <Sentence words={words} asking={asking} fault={fault} inWork={place !== null} onAsk={onAsk} />
+          {place && (
+            <ContourStretch words={words} contour={place.contour} first={place.first} last={place.last} onPick={(first, last) => {
+              const next = { ...place, first, last };
+              pick(next);
+              const { rows, typed, shape } = soughtAt(next);
+              onAsk({ rows, typed, shape });
+            }} />
+          )}
+          {asking.shape === "free" && !place && (
+            <Suspense>
+              <ContourTable rows={asking.rows} onChange={(rows) => onAsk({ rows })} language={language} />
+            </Suspense>
+          )}
+          {fault?.at === "contour" && <p className="soft">{words.faults.contour}</p>}
+          {compared && (
+            <WayCards words={words} compared={compared} adds={asking.stock === "now"} onTake={(way) => {
+              done();
+              void takeWay(way, compared.wanted, { language, adds: asking.stock === "now" });
+            }} />
+          )}
+        </>
+      )}
+    </dialog>
+  );
+}

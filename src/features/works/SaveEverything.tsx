@@ -1,0 +1,22 @@
+import { Icon } from "../../app/base/Icon.tsx";
+import { unkeptNames } from "../../app/records/keep.ts";
+import { saveEverything } from "./export-works.ts";
+import { useDeviceTexts } from "../../app/base/use-device-texts.ts";
+
+/** The button that hands everything on this device to the downloads; `say` is told what became of it. */
+export function SaveEverything({ say }: { readonly say: (what: string) => void }) {
+  const t = useDeviceTexts().here;
+  const save = async () => {
+    try {
+      const { works, files } = await saveEverything(unkeptNames());
+      say(t.exported(works, files));
+    } catch {
+      say(t.notExported);
+    }
+  };
+  return (
+    <button type="button" className="button" aria-label={t.exportLong} title={t.exportLong} onClick={() => void save()}>
+      <Icon name="download" /> {t.exportAll}
+    </button>
+  );
+}

@@ -1,0 +1,97 @@
+import { memo, useLayoutEffect, useRef } from "react";
+import type { DeviceTexts } from "../../i18n/en/device.ts";
+import type { Thumbnail } from "../../view/thumbnail.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import type { Kept } from "../../app/records/device.ts";
+import { KeptPicture } from "../../app/fields/kept/KeptPicture.tsx";
+
+/** What can be asked of a row. */
+export type RowWish = { readonly what: "open" | "rename" | "stay" | "duplicate" | "remove" | "select" } | { readonly what: "call";
+  readonly name: string };
+
+interface Props {
+  readonly of: Kept;
+  readonly seen: Thumbnail | undefined;
+  /** What the work is: the name of its cycle, or that it is a program. */
+  readonly kind: string;
+  /** Said of a task of the course; null of other works. */
+  readonly task: string | null;
+  readonly about: string;
+  /** Said of a work that another tab has open; null where none has. */
+  readonly elsewhere: string | null;
+  readonly selected: boolean;
+  readonly renaming: boolean;
+  readonly t: DeviceTexts["works"];
+  readonly onWish: (work: Kept, wish: RowWish) => void;
+}
+
+/** The field for another name: Enter takes it, Escape leaves it. */
+function NameField({ name, label, onDone }: { readonly name: string; readonly label: string;
+  readonly onDone: (name: string | null) => void })
+{
+  const input = useRef<HTMLInputElement>(null);
+  useLayoutEffect(() => {
+    input.current?.focus();
+    // The ending of a file stays as it is, unless somebody means it.
+    input.current?.setSelectionRange(0, name.replace(/\.[^.]{1,4}$/, "").length);
+  }, [name]);
+  return (
+    <input ref={input} className="input number" type="text" defaultValue={name} aria-label={label} maxLength={80} spellCheck={false}
+      autoComplete="off" onBlur={(event) => onDone(event.currentTarget.value)} onKeyDown={(event) => {
+      event.stopPropagation();
+      if (event.key === "Enter") onDone(event.currentTarget.value);
+      if (event.key === "Escape") onDone(null);
+    }} />
+  );
+}
+
+/** One work of the list: a picture, what it is, and what can be done with it. */
+export const WorkRow = memo(function WorkRow({ of, seen, kind, task, about, elsewhere, selected, renaming, t, onWish }: Props) {
+  const { name, cycle, work } = of;
+  const does = (what: Exclude<RowWish["what"], "call">) => () => onWish(of, { what });
+  return (
+    <li className="work-row" data-work={work}>
+      <label className="work-select">
+        <input type="checkbox" aria-label={t.select(name)} checked={selected} onChange={does("select")} />
+      </label>
+      {renaming
+        ? (
+          <div className="work-open">
+            <KeptPicture seen={seen} cycle={cycle} />
+            <NameField name={name} label={t.newName(name)}
+              onDone={(typed) => onWish(of, typed === null ? { what: "stay" } : { what: "call", name: typed })} />
+          </div>
+        )
+        : (
+          <button type="button" className="button plain work-open" aria-label={t.open(name)} onClick={does("open")}>
+            <KeptPicture seen={seen} cycle={cycle} />
+            <span className="kept-words">
+              <b className="kept-name">{name}</b>
+              <span className="small">
+                <span className="number card-number">{cycle ?? ".h"}</span> {task !== null && <b>{task}</b>} {kind}
+              </span>
+              <span className="soft small">{about}</span>
+              {elsewhere !== null && <span className="small work-elsewhere">{elsewhere}</span>}
+            </span>
+          </button>
+        )}
+      <div className="work-tools">
+        <button type="button" className="button icon plain" aria-label={t.rename(name)} title={t.rename(name)} disabled={elsewhere !== null}
+          onClick={does("rename")}
+        >
+          <Icon name="rename" />
+        </button>
+        <button type="button" className="button icon plain" aria-label={t.duplicate(name)} title={t.duplicate(name)}
+          onClick={does("duplicate")}
+        >
+          <Icon name="copy" />
+        </button>
+        <button type="button" className="button icon plain" aria-label={t.remove(name)} title={t.remove(name)} disabled={elsewhere !== null}
+          onClick={does("remove")}
+        >
+          <Icon name="remove" />
+        </button>
+      </div>
+    </li>
+  );
+});

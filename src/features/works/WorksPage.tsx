@@ -1,0 +1,137 @@
+import { useCallback, useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
+import { goHome } from "../../app/document/go-home.ts";
+import { menuCycle } from "../../app/fields/chooser/menu.ts";
+import { Icon } from "../../app/base/Icon.tsx";
+import { keptPictures } from "../../app/records/kept-picture.ts";
+import { refreshWorks, useKeeping } from "../../app/records/keep.ts";
+import { useWorksElsewhere } from "../../app/records/use-works-elsewhere.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
+import { TableStatus } from "../../app/fields/table/TableStatus.tsx";
+import { listWorks, WORK_ORDERS, type WorkOrder } from "./list-works.ts";
+import { sizeWords } from "./size-words.ts";
+import { useDeviceTexts } from "../../app/base/use-device-texts.ts";
+import { useListActions } from "./use-list-actions.ts";
+import { WorkRow } from "./WorkRow.tsx";
+import "./works.css";
+
+const rowOf = (work: string) => document.querySelector<HTMLElement>(`[data-work="${CSS.escape(work)}"] .work-open`);
+
+/** Once the list has changed, the keyboard is on the row of a work. */
+const focusRow = (work: string): void => void requestAnimationFrame(() => requestAnimationFrame(() => rowOf(work)?.focus()));
+
+/** The same after what takes its time, unless the keyboard is elsewhere by then: a Delete for a field must not reach a row. */
+const focusRowAgain = (work: string): void =>
+  void requestAnimationFrame(() =>
+    requestAnimationFrame(() => {
+      const { activeElement, body } = document;
+      if (!activeElement || activeElement === body || activeElement.closest("[data-work]")) rowOf(work)?.focus();
+    })
+  );
+
+/** Arrow keys go from work to work, F2 calls one otherwise, Delete takes it away. */
+function onListKey(event: KeyboardEvent, wish: (work: string, what: "rename" | "remove") => void): void {
+  const { target, key } = event;
+  const row = target instanceof HTMLElement && target.closest<HTMLElement>("[data-work]");
+  if (!row || event.ctrlKey || event.metaKey || event.altKey) return;
+  const list = row.parentElement?.children;
+  const ways: Readonly<Record<string, Element | null | undefined>> = {
+    ArrowDown: row.nextElementSibling,
+    ArrowUp: row.previousElementSibling,
+    Home: list?.[0],
+    End: list?.[list.length - 1],
+  };
+  const next = ways[key];
+  if (next) next.querySelector<HTMLElement>(".work-open")?.focus();
+  else if (key === "F2") wish(row.dataset["work"] ?? "", "rename");
+  else if (key === "Delete") wish(row.dataset["work"] ?? "", "remove");
+  else return;
+  event.preventDefault();
+}
+
+/** All works of this device: sought, put in order, called otherwise, doubled, taken away, saved as a file. */
+export function WorksPage() {
+  const { works: t } = useDeviceTexts();
+  const { page, menu } = useFirstTexts();
+  const language = useSettings((s) => s.language);
+  const all = useKeeping((k) => k.works);
+  const elsewhere = useWorksElsewhere();
+  const [sought, seek] = useState("");
+  const [order, setOrder] = useState<WorkOrder>("newest");
+  const search = useRef<HTMLInputElement>(null);
+  const works = useMemo(() => all.filter(({ cycle }) => cycle === null || menuCycle(cycle)), [all]);
+  const shown = useMemo(() => listWorks(works, sought, order, (cycle) => menu.of[cycle]?.name ?? ""), [works, sought, order, menu]);
+  // Pictures are made while a work is open, not while the list is shown.
+  const [pictures] = useState(keptPictures);
+  const { saying, say, renaming, selected, select, remove, save, onWish } = useListActions(t, page.start.isElsewhere, focusRowAgain);
+  const chosen = shown.filter(({ work }) => selected.has(work));
+  useEffect(() => {
+    void refreshWorks();
+    search.current?.focus();
+  }, []);
+  const words = useMemo(() => {
+    const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
+    return (savedAt: number, size: number) => `${page.start.changed(when.format(savedAt))} · ${sizeWords(size, language)}`;
+  }, [language, page]);
+  const wish = useCallback((work: string, what: "rename" | "remove") => {
+    const of = shown.find((each) => each.work === work);
+    if (of && !elsewhere.has(work)) onWish(of, { what });
+  }, [shown, elsewhere, onWish]);
+
+  return (
+    <main className="works-page">
+      <div className="works-head">
+        <button type="button" className="button" onClick={goHome}>
+          <Icon name="back" /> {t.back}
+        </button>
+        <p role="status" className="soft">{sought.trim() === "" ? t.count(works.length) : t.found(shown.length, works.length)}</p>
+        <input ref={search} className="input works-search" type="search" aria-label={t.search} placeholder={t.search} value={sought}
+          onChange={(event) => seek(event.currentTarget.value)} onKeyDown={(event) => {
+          const [first] = shown;
+          if (event.key === "ArrowDown" && first) focusRow(first.work);
+        }} />
+        <label className="works-order">
+          <span>{t.sort}</span>
+          <select className="select" value={order}
+            onChange={(event) => setOrder(WORK_ORDERS.find((each) => each === event.target.value) ?? "newest")}
+          >
+            {WORK_ORDERS.map((each) => <option key={each} value={each}>{t.orders[each]}</option>)}
+          </select>
+        </label>
+      </div>
+      {shown.length > 0 && (
+        <div className="works-chosen">
+          <label className="work-select">
+            <input type="checkbox" checked={chosen.length === shown.length} onChange={() =>
+              select(chosen.length === shown.length ? new Set() : new Set(shown.map(({ work }) => work)))} />
+            <span>{t.selectAll}</span>
+          </label>
+          {chosen.length > 0 && (
+            <>
+              <span>{t.selected(chosen.length)}</span>
+              <button type="button" className="button" onClick={() => void save()}>
+                <Icon name="download" /> {t.saveSelected}
+              </button>
+              <button type="button" className="button" onClick={() => {
+                search.current?.focus();
+                void remove(chosen.map(({ work }) => work), null);
+              }}>
+                <Icon name="remove" /> {t.removeSelected}
+              </button>
+            </>
+          )}
+        </div>
+      )}
+      <TableStatus said={saying} undo={page.undo} done={() => say(null)} />
+      {shown.length === 0 && <p className="soft works-none">{works.length === 0 ? t.none : t.noMatch}</p>}
+      <ul className="works-list" aria-label={t.list} onKeyDown={(event) => onListKey(event, wish)}>
+        {shown.map((of) => (
+          <WorkRow key={of.work} of={of} seen={pictures[of.work]} kind={of.cycle === null ? t.program : (menu.of[of.cycle]?.name ?? "")}
+            task={of.task === undefined ? null : page.start.task} about={words(of.savedAt, of.size)}
+            elsewhere={elsewhere.has(of.work) ? page.start.isElsewhere : null} selected={selected.has(of.work)}
+            renaming={renaming === of.work} t={t} onWish={onWish} />
+        ))}
+      </ul>
+    </main>
+  );
+}

@@ -1,0 +1,30 @@
+import { useState } from "react";
+import { Icon } from "../../../app/base/Icon.tsx";
+import { downloadWorks } from "../../../app/records/rescue.ts";
+import { useEditor } from "../../../app/document/store.ts";
+import { SaveEverything } from "../SaveEverything.tsx";
+import { useDeviceTexts } from "../../../app/base/use-device-texts.ts";
+import { ReportList } from "./ReportList.tsx";
+import "../works.css";
+
+/** What helps after a fault of the page: the work as a file, everything as a file, and the report to copy. */
+export function CrashHelp() {
+  const { reports } = useDeviceTexts();
+  const [said, say] = useState("");
+  const { job, program } = useEditor.getState();
+  const work = job ?? program;
+  return (
+    <>
+      <div className="bring-buttons">
+        {work && (
+          <button type="button" className="button" onClick={() => downloadWorks([work])}>
+            <Icon name="download" /> {reports.work}
+          </button>
+        )}
+        <SaveEverything say={say} />
+      </div>
+      <p role="status">{said}</p>
+      <ReportList open />
+    </>
+  );
+}

@@ -1,0 +1,101 @@
+import { time } from "../../app/base/clock.ts";
+import { downloadBytes } from "../../app/base/download.ts";
+import { isEmptyProgress } from "../../course/progress.ts";
+import { startLearning, useLearning } from "../../app/records/course/progress.ts";
+import { startGathered, useGathered } from "../../app/records/course/gathered.ts";
+import { startForms, useForms } from "../../app/records/course/kept-form.ts";
+import { startTaught, useTaught } from "../../app/records/course/taught.ts";
+import { countWork, startWorkingTime, useWorked } from "../../app/records/course/working-time.ts";
+import { useOwn } from "../../app/document/own-store.ts";
+import { ARCHIVE_LIMITS, writeArchive, type ArchivedWork } from "../../app/records/archive.ts";
+import { findWorks, readWork } from "../../app/records/device.ts";
+import { newestState, useKeeping } from "../../app/records/keep.ts";
+import { useSettings } from "../../app/base/settings/settings.ts";
+import { handOver } from "../../app/document/store.ts";
+import { useTools } from "../../app/document/tool-store.ts";
+
+/** What one file holds at most, bytes, so that it can be brought in again: what is packed has each program twice. */
+const LARGEST = ARCHIVE_LIMITS.unpacked / 4;
+
+async function lying(work: string): Promise<ArchivedWork | null> {
+  const job = await newestState(work);
+  return job && { work, job, savedAt: (await readWork(work))?.savedAt ?? time() };
+}
+
+/** Works in as many files as are needed. */
+function inFiles(works: readonly string[], sizes: ReadonlyMap<string, number>): readonly (readonly string[])[] {
+  const files: string[][] = [[]];
+  let held = 0;
+  for (const work of works) {
+    const size = sizes.get(work) ?? 0;
+    if (held > 0 && held + size > LARGEST) {
+      files.push([]);
+      held = 0;
+    }
+    files.at(-1)?.push(work);
+    held += size;
+  }
+  return files;
+}
+
+const two = (n: number) => String(n).padStart(2, "0");
+
+/** Name of a file of works: the day tells it from those before. */
+function fileName(part: number, of: number): string {
+  const now = new Date(time());
+  const day = `${now.getFullYear()}-${two(now.getMonth() + 1)}-${two(now.getDate())}`;
+  return `turnwise-${day}${of > 1 ? `-${part}-${of}` : ""}.zip`;
+}
+
+async function save(
+  works: readonly string[],
+  beside: Parameters<typeof writeArchive>[0],
+): Promise<{ readonly works: number; readonly files: number }> {
+  const sizes = new Map(useKeeping.getState().works.map(({ work, size }) => [work, size]));
+  const files = inFiles(works, sizes);
+  let count = 0;
+  for (const [i, each] of files.entries()) {
+    const found: ArchivedWork[] = [];
+    for (const work of each) {
+      const one = await lying(work);
+      if (one) found.push(one);
+    }
+    count += found.length;
+    downloadBytes(writeArchive({ ...(i === 0 && beside), works: found }), fileName(i + 1, files.length));
+  }
+  return { works: count, files: files.length };
+}
+
+/** Hands some works to the downloads, as a file that brings them back; how many there were. */
+export async function saveWorks(works: readonly string[]): Promise<number> {
+  handOver();
+  return (await save(works, {})).works;
+}
+
+/**
+ * Hands everything on this device to the downloads: works, tools, own cycles, settings, and all of the course. What the
+ * device has not taken is in it too.
+ */
+export async function saveEverything(unkept: readonly string[]): Promise<{ readonly works: number; readonly files: number }> {
+  handOver();
+  const { works } = await findWorks();
+  const all = [...new Set([...works.map(({ work }) => work), ...unkept])];
+  startLearning();
+  startTaught();
+  startForms();
+  startWorkingTime();
+  startGathered();
+  countWork();
+  const { list: course } = useLearning.getState();
+  const beside = {
+    tools: useTools.getState().list,
+    own: useOwn.getState().list,
+    settings: useSettings.getState(),
+    ...(!isEmptyProgress(course) && { course }),
+    taught: useTaught.getState().list,
+    forms: useForms.getState().list,
+    worked: useWorked.getState().list,
+    results: useGathered.getState().list,
+  };
+  return save(all, beside);
+}
