@@ -121,7 +121,7 @@ interface Modules {
 
 const module = (path: string) => new URL(path, import.meta.url).pathname;
 /** Where the dialog of a cycle begins: everything that these cannot start without is fetched before it works. */
-const WORK = ["src/app/Workplace.tsx", "src/features/start/begin.ts"].map(module);
+const WORK = ["src/app/shell/Workplace.tsx", "src/features/start/begin.ts"].map(module);
 /** What the first screen fetches by itself: what it shares with a dialog is a file of its own, and brings none along. */
 const EARLY = [
   "src/features/course/CourseEntrance.tsx",

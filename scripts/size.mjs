@@ -54,7 +54,7 @@ function withImports(file, seen = new Set()) {
 const first = new Set([...filesOf("index.html"), ...largest((l) => [`virtual:cycle-menu/${l}`, `src/i18n/${l}/first.ts`])]);
 const dialog = new Set([
   ...first,
-  ...union(["src/features/start/begin.ts", "src/app/Workplace.tsx"]),
+  ...union(["src/features/start/begin.ts", "src/app/shell/Workplace.tsx"]),
   ...withImports(`assets/${worker}`),
   ...largest((l) => [`src/i18n/${l}/index.ts`, `virtual:cycle-menu/${l}`]),
 ]);

@@ -146,7 +146,7 @@ describe("what the start page waits for", () => {
     reached.set(path, from);
     for (const { target, typesOnly, lazy } of files.get(path)?.imports ?? []) if (!typesOnly && !lazy) visit(target, path);
   };
-  visit("src/app/main.tsx", "");
+  visit("src/app/shell/main.tsx", "");
 
   test.each([
     "react-aria-components",

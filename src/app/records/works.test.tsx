@@ -5,7 +5,7 @@ import { begin, open, useEditor } from "../document/store.ts";
 import { showElsewhere, useElsewhere } from "../place/elsewhere.ts";
 import { device, emptyDevice, someJob as job } from "./fake-device.ts";
 import { copyWork, openWork, refreshWorks, startKeeping, startWork, takeOver, unkeptWorks, useKeeping } from "./keep.ts";
-import { resume } from "../saving/resume.ts";
+import { resume } from "../shell/resume.ts";
 import { duplicateWork, freeName, removeWorks, renameWork } from "./works.ts";
 
 vi.mock("./device.ts", () => import("./fake-device.ts"));

@@ -1,22 +1,22 @@
 import { Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
-import { goHome } from "./document/go-home.ts";
-import { useGuidePlace } from "./place/guide-place.ts";
-import { Icon } from "./base/Icon.tsx";
-import { usePlace } from "./place/place.ts";
-import { useElsewhere } from "./place/elsewhere.ts";
-import { useFirstTexts } from "./base/settings/use-first-texts.ts";
-import { useOwnPlace } from "./document/own-place.ts";
-import { useSheetShown } from "./document/sheet-place.ts";
-import { CreateProgram } from "../features/start/CreateProgram.tsx";
-import { redoStep, undoStep } from "./document/history.ts";
-import { lazyPart } from "./base/parts.ts";
-import { useSteps } from "./document/steps.ts";
-import { useEditor } from "./document/store.ts";
-import { showTools, useToolPlace } from "./document/tool-place.ts";
-import { useWorksPlace } from "./place/works-place.ts";
+import { goHome } from "../document/go-home.ts";
+import { useGuidePlace } from "../place/guide-place.ts";
+import { Icon } from "../base/Icon.tsx";
+import { usePlace } from "../place/place.ts";
+import { useElsewhere } from "../place/elsewhere.ts";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
+import { useOwnPlace } from "../document/own-place.ts";
+import { useSheetShown } from "../document/sheet-place.ts";
+import { CreateProgram } from "../../features/start/CreateProgram.tsx";
+import { redoStep, undoStep } from "../document/history.ts";
+import { lazyPart } from "../base/parts.ts";
+import { useSteps } from "../document/steps.ts";
+import { useEditor } from "../document/store.ts";
+import { showTools, useToolPlace } from "../document/tool-place.ts";
+import { useWorksPlace } from "../place/works-place.ts";
 
 /** Fetched when it is first opened. */
-const SettingsDialog = lazyPart(async () => ({ default: (await import("./settings/SettingsDialog.tsx")).SettingsDialog }));
+const SettingsDialog = lazyPart(async () => ({ default: (await import("./SettingsDialog.tsx")).SettingsDialog }));
 
 /** The way to a new program from the home screen (scripts/offline.ts). The address is another one as soon as the page follows it. */
 const ASKED_NEW = location.hash === "#/new";

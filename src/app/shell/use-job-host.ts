@@ -10,8 +10,8 @@ import type { JobReading } from "../document/reading.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { closeStep } from "../document/steps.ts";
-import { isAboutTool, type FindingEntry } from "./entry.ts";
-import { nearestOf, type FindingsHost, type Mend, type Target } from "./host.ts";
+import { isAboutTool, type FindingEntry } from "../findings/entry.ts";
+import { nearestOf, type FindingsHost, type Mend, type Target } from "../findings/host.ts";
 
 /** Decimals of a start point. */
 const START_DECIMALS = 3;

@@ -1,31 +1,31 @@
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { z } from "zod/mini";
-import { parseAddress } from "./place/address.ts";
-import { followAddress, resumePrompt } from "./address/follow-address.ts";
-import { goTo } from "./address/here.ts";
+import { parseAddress } from "../place/address.ts";
+import { followAddress, resumePrompt } from "./follow-address.ts";
+import { goTo } from "./here.ts";
 import { App } from "./App.tsx";
 import { CrashGuard } from "./CrashGuard.tsx";
-import { startReports } from "./records/reports.ts";
-import { startEngineLater } from "./calculation/later.ts";
-import { openShared } from "./files/open-shared.ts";
-import { onHistoryKey } from "./document/history.ts";
-import { startOwn } from "./records/keep-own.ts";
-import { startOfflineLater } from "../features/offline/start-offline.ts";
-import { followMissing, untilHere } from "./base/parts.ts";
-import { startKeeping, useKeeping } from "./records/keep.ts";
-import { resume } from "./saving/resume.ts";
-import { followAppearance } from "./base/settings/appearance.ts";
-import { fetchFirstTexts } from "./base/settings/loaded-texts.ts";
-import { useSettings } from "./base/settings/settings.ts";
-import { useEditor } from "./document/store.ts";
-import { startTools } from "./records/keep-tools.ts";
-import "./base/styles/tokens.css";
-import "./base/styles/base.css";
-import "./base/styles/layout.css";
-import "./base/styles/dialog.css";
-import "./base/styles/panels.css";
-import "./base/styles/start.css";
+import { startReports } from "../records/reports.ts";
+import { startEngineLater } from "../calculation/later.ts";
+import { openShared } from "./open-shared.ts";
+import { onHistoryKey } from "../document/history.ts";
+import { startOwn } from "../records/keep-own.ts";
+import { startOfflineLater } from "../../features/offline/start-offline.ts";
+import { followMissing, untilHere } from "../base/parts.ts";
+import { startKeeping, useKeeping } from "../records/keep.ts";
+import { resume } from "./resume.ts";
+import { followAppearance } from "../base/settings/appearance.ts";
+import { fetchFirstTexts } from "../base/settings/loaded-texts.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { useEditor } from "../document/store.ts";
+import { startTools } from "../records/keep-tools.ts";
+import "../base/styles/tokens.css";
+import "../base/styles/base.css";
+import "../base/styles/layout.css";
+import "../base/styles/dialog.css";
+import "../base/styles/panels.css";
+import "../base/styles/start.css";
 
 z.config({ jitless: true });
 startReports();
@@ -38,7 +38,7 @@ startOwn();
 /** What is kept beside the work: its history in this tab, and its picture. The first screen waits for neither. */
 async function keepBeside(): Promise<void> {
   const [{ startKeepingSteps, takeKeptSteps }, { startKeepingPictures }] = await untilHere(() =>
-    Promise.all([import("./records/keep-steps.ts"), import("./records/keep-pictures.ts")])
+    Promise.all([import("../records/keep-steps.ts"), import("../records/keep-pictures.ts")])
   );
   takeKeptSteps();
   startKeepingSteps();
@@ -46,7 +46,7 @@ async function keepBeside(): Promise<void> {
   const { works, notices } = useKeeping.getState();
   // Works of a newer edition are not in the list, but they are here.
   if (notices.includes("newerWorks")) return;
-  const { forgetHandles } = await untilHere(() => import("./records/files/kept-handles.ts"));
+  const { forgetHandles } = await untilHere(() => import("../records/files/kept-handles.ts"));
   await forgetHandles(new Set(works.map(({ work }) => work)));
 }
 
@@ -59,7 +59,7 @@ void resume(askedWork).then(async () => {
   if (asked && !(asked.page === "work" && asked.work !== useEditor.getState().work)) await goTo(asked);
   startKeeping();
   void keepBeside();
-  void untilHere(() => import("./base/styles/print.css"));
+  void untilHere(() => import("../base/styles/print.css"));
   startEngineLater();
   void openShared();
   followAddress(begun);

@@ -1,6 +1,6 @@
-import { Icon } from "./base/Icon.tsx";
-import { dismiss, unkeptNames, unkeptWorks, useKeeping } from "./records/keep.ts";
-import { useFirstTexts } from "./base/settings/use-first-texts.ts";
+import { Icon } from "../base/Icon.tsx";
+import { dismiss, unkeptNames, unkeptWorks, useKeeping } from "../records/keep.ts";
+import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 
 /** The works that are nowhere but in this page, as files. */
 function DownloadUnkept() {
@@ -10,12 +10,12 @@ function DownloadUnkept() {
   return (
     <>
       <button type="button" className="button"
-        onClick={() => void import("./records/rescue.ts").then(({ downloadWorks }) => downloadWorks(works))}
+        onClick={() => void import("../records/rescue.ts").then(({ downloadWorks }) => downloadWorks(works))}
       >
         <Icon name="download" /> {t.downloadUnkept}
       </button>
       <button type="button" className="button"
-        onClick={() => void import("../features/works/export-works.ts").then(({ saveWorks }) => saveWorks(unkeptNames()))}
+        onClick={() => void import("../../features/works/export-works.ts").then(({ saveWorks }) => saveWorks(unkeptNames()))}
       >
         <Icon name="download" /> {t.archiveUnkept}
       </button>
