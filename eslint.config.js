@@ -86,7 +86,7 @@ export default defineConfig([
     rules: { "no-restricted-syntax": ["error", ...form] },
   },
   {
-    files: ["src/{kernel,nc,control-file,cycles,program,sim,view,i18n,report}/**/*.ts"],
+    files: ["src/{kernel,nc,control-file,cycles,program,sim,view,i18n,report,course}/**/*.ts"],
     ignores: ["**/*.test.ts"],
     rules: { "no-restricted-globals": pure.globals, "no-restricted-properties": pure.properties },
   },
@@ -100,12 +100,12 @@ export default defineConfig([
     rules: { "max-lines": "off" },
   },
   {
-    files: ["src/app/**/*.{ts,tsx}"],
+    files: ["src/{app,features}/**/*.{ts,tsx}"],
     ignores: ["**/*.test.{ts,tsx}", "src/app/base/clock.ts", "src/app/base/chance.ts"],
     rules: { "no-restricted-properties": ["error", ...held.properties], "no-restricted-syntax": ["error", ...form, held.syntax] },
   },
   {
-    files: ["src/app/**/*.{ts,tsx}"],
+    files: ["src/{app,features}/**/*.{ts,tsx}"],
     ...reactHooks.configs.flat["recommended-latest"],
   },
 ]);

@@ -23,7 +23,7 @@ const exclude = [...configDefaults.exclude, "e2e/**"];
 process.env["VITE_VERSION"] = (JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8")) as { version: string }).version;
 
 /** Tests of modules with a state, or with another module in the place of one: each file in a process of its own. */
-const STATEFUL = ["src/app/**/*.test.ts", "tests/made-up/**/*.test.ts"];
+const STATEFUL = ["src/app/**/*.test.ts", "src/features/**/*.test.ts", "tests/made-up/**/*.test.ts"];
 
 /** Only in the build: the development server needs inline scripts and a web socket. */
 const policyOfPage: Plugin = {

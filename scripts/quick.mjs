@@ -20,7 +20,7 @@ const bin = (...path) => join(root, "node_modules", ...path);
 function nearest(file) {
   const [top, layer, feature] = file.split("/");
   if (top !== "src") return [file.endsWith(".test.ts") ? file : `tests/architecture.test.ts`];
-  if (layer === "app") return [`src/app/${feature}`];
+  if (layer === "app" || layer === "features") return [`src/${layer}/${feature}`];
   return layer === "kernel" ? ["src/kernel", "src/cycles"] : [`src/${layer}`];
 }
 const tests = [...new Set(files.flatMap(nearest))];

@@ -21,6 +21,8 @@ const RULES: Record<string, Rule> = {
   examples: { values: [] },
 };
 const layerOf = (path: string) => path.split("/")[1] ?? "";
+/** The layers that are the page. */
+const PAGE = ["app", "features"];
 const all = sources("src");
 const layered = all.filter((s) => layerOf(s.path) in RULES);
 
@@ -38,13 +40,45 @@ describe("who may import whom", () => {
 
   test("every layer has its rule", () => {
     const layers = new Set(all.map((s) => layerOf(s.path)).filter((l) => !l.includes(".")));
-    expect([...layers].filter((l) => l !== "app" && !(l in RULES))).toEqual([]);
+    expect([...layers].filter((l) => !PAGE.includes(l) && !(l in RULES))).toEqual([]);
   });
 
   test("the imports are read at all", () => {
     const names = all.flatMap((s) => s.imports.map((i) => i.target));
     expect(names).toContain("zod");
     expect(names).toContain("src/kernel/units.ts");
+  });
+});
+
+/** Rooms of the page from the ground up: each imports those below it, and of features none another one. */
+const ROOMS = ["base", "place", "document", "calculation", "records", "findings", "pictures", "fields", "features", "shell"];
+
+describe("rooms of the page", () => {
+  /** The room of a file, and the feature; null outside the page. */
+  const placeOf = (path: string) => {
+    const [, layer = "", name = ""] = path.split("/");
+    if (!PAGE.includes(layer)) return null;
+    return { floor: ROOMS.indexOf(layer === "features" ? layer : name), feature: layer === "features" ? name : null };
+  };
+  /** Tests may look at a room through those above it. */
+  const inPage = all.filter((s) => placeOf(s.path) && !/\.test\.tsx?$/.test(s.path));
+
+  test("every file of the page stands in a room", () => {
+    expect(inPage.filter((s) => placeOf(s.path)?.floor === -1).map((s) => s.path)).toEqual([]);
+    expect(inPage.length).toBeGreaterThan(500);
+  });
+
+  test.each(ROOMS)("%s imports downwards only", (room) => {
+    const wrong = inPage.flatMap((s) => {
+      const here = placeOf(s.path);
+      if (!here || ROOMS[here.floor] !== room) return [];
+      return s.imports.flatMap(({ target }) => {
+        const there = placeOf(target);
+        const isBelow = !there || there.floor < here.floor || (there.floor === here.floor && there.feature === here.feature);
+        return isBelow ? [] : [`${s.path} → ${target}`];
+      });
+    });
+    expect(wrong).toEqual([]);
   });
 });
 
@@ -184,9 +218,9 @@ describe("what is nowhere", () => {
     ["default exports", /^export default\b/m, () =>
       true],
     ["star exports", /^export \*/m, () => true],
-    ["React below app", /from "react/, (p) => layerOf(p) !== "app"],
+    ["React below app", /from "react/, (p) => !PAGE.includes(layerOf(p))],
     ["clock or chance below app", /\bDate\b|Math\.random|performance\.now/, (p) =>
-      layerOf(p) !== "app"],
+      !PAGE.includes(layerOf(p))],
     ["vague file names", /^$/, (p) => /(?:^|\/)(?:utils?|helpers?|common|misc|manager)\.tsx?$/.test(p)],
   ];
   test.each(bans)("%s", (name, pattern, where) => {

@@ -2,6 +2,7 @@ import { configure } from "@testing-library/dom";
 import { texts } from "../src/i18n/index.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { menuWords } from "../src/i18n/menu-words.ts";
+import "../src/app/shell/slots.ts";
 import { provideTableTexts } from "../src/app/base/settings/use-table-texts.ts";
 import { provideFirstTexts, provideTexts } from "../src/app/base/settings/loaded-texts.ts";
 

@@ -7,7 +7,7 @@ import { machineAtHand, useMachineReader } from "./machine-reader.ts";
 import { printedText } from "../document/printed.ts";
 import { readJob } from "../document/reading.ts";
 import { untilHere } from "../base/parts.ts";
-import { notice } from "../records/keep.ts";
+import { notice } from "../base/notices.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useEditor, type Editor } from "../document/store.ts";
 import { useTools } from "../document/tool-store.ts";

@@ -1,4 +1,6 @@
+import type { ComponentType } from "react";
 import { create } from "zustand";
+import { slot } from "../base/slot.ts";
 import type { WhichRegion } from "./asking.ts";
 
 /** Whether it is asked which cycle makes a shape, over what is open. Undo does not touch it. */
@@ -12,3 +14,6 @@ export const useWhichPlace = create<WhichPlace>(() => ({ shown: false, region: n
 
 export const showWhich = (region: WhichRegion | null = null): void => useWhichPlace.setState({ shown: true, region });
 export const hideWhich = (): void => useWhichPlace.setState({ shown: false, region: null });
+
+/** The question itself, over the picture or a program. */
+export const whichSlot = slot<ComponentType<{ readonly done: () => void; readonly region: WhichRegion | null }>>("which cycle");

@@ -1,7 +1,7 @@
 import { z } from "zod/mini";
 import type { OwnList } from "../../program/own-library.ts";
 import { keepTable } from "../base/device-table.ts";
-import { notice } from "./keep.ts";
+import { notice } from "../base/notices.ts";
 import { takeOwn, useOwn } from "../document/own-store.ts";
 
 /*

@@ -3,7 +3,7 @@ import { hasFile, tableOrigin } from "../../program/tool-entry.ts";
 import { sameList, shippedList, type ToolList } from "../../program/tool-list.ts";
 import { HOLDER_CELLS } from "../../program/tool-columns.ts";
 import { keepTable } from "../base/device-table.ts";
-import { notice } from "./keep.ts";
+import { notice } from "../base/notices.ts";
 import { toolRow } from "../document/tool-rows.ts";
 import { takeTools, useTools } from "../document/tool-store.ts";
 

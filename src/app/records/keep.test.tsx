@@ -1,3 +1,4 @@
+import { useNotices } from "../base/notices.ts";
 import { beforeEach, expect, test, vi } from "vitest";
 import type { Job } from "../../program/job.ts";
 import { setTool } from "../document/edits.ts";
@@ -13,13 +14,15 @@ const settle = () => new Promise((done) => setTimeout(done, 0));
 beforeEach(() => {
   emptyDevice();
   begin(null, null);
-  useKeeping.setState({ works: [], notices: [], damaged: 0, ready: false });
+  useKeeping.setState({ works: [], damaged: 0, ready: false });
+  useNotices.setState({ notices: [] });
 });
 
 test("an empty device opens the start page", async () => {
   await resume();
   expect(useEditor.getState().job).toBeNull();
-  expect(useKeeping.getState()).toMatchObject({ ready: true, notices: [] });
+  expect(useKeeping.getState().ready).toBe(true);
+  expect(useNotices.getState().notices).toEqual([]);
 });
 
 test("every change is kept under the name of the work", async () => {
@@ -129,7 +132,8 @@ test("of a work that the device has refused before, the newest state is left beh
 test("a device that keeps nothing, and damaged saves, are said and stop nothing", async () => {
   Object.assign(device, { refuses: "refused", setAside: 2 });
   await resume();
-  expect(useKeeping.getState()).toMatchObject({ ready: true, damaged: 2, notices: ["notKept"] });
+  expect(useKeeping.getState()).toMatchObject({ ready: true, damaged: 2 });
+  expect(useNotices.getState().notices).toEqual(["notKept"]);
 });
 
 test("what the device does not take is said, stays in hand, and is kept as soon as there is room", async () => {
@@ -139,7 +143,7 @@ test("what the device does not take is said, stays in hand, and is kept as soon 
   setTool(9);
   stop();
   await settle();
-  expect(useKeeping.getState().notices).toEqual(["storageFull"]);
+  expect(useNotices.getState().notices).toEqual(["storageFull"]);
   expect(unkeptWorks()).toMatchObject([{ tool: 9 }]);
   const leaving = new Event("beforeunload", { cancelable: true });
   const again = startKeeping();
@@ -151,13 +155,13 @@ test("what the device does not take is said, stays in hand, and is kept as soon 
   await refreshWorks();
   expect(device.works.get(useEditor.getState().work ?? "")?.job).toMatchObject({ tool: 9 });
   expect(unkeptWorks()).toEqual([]);
-  expect(useKeeping.getState().notices).toEqual([]);
+  expect(useNotices.getState().notices).toEqual([]);
 });
 
 test("saves of a newer edition are said", async () => {
   device.newer = 2;
   await resume();
-  expect(useKeeping.getState().notices).toEqual(["newerWorks"]);
+  expect(useNotices.getState().notices).toEqual(["newerWorks"]);
 });
 
 test("a state that comes back before the one behind it is written is the one that is kept", async () => {

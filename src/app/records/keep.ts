@@ -1,6 +1,7 @@
 import { drawnId } from "../base/chance.ts";
 import { time } from "../base/clock.ts";
 import { create } from "zustand";
+import { notice, withdraw } from "../base/notices.ts";
 import { untilHere } from "../base/parts.ts";
 import { begin, handOver, open, useEditor } from "../document/store.ts";
 import type { Work } from "../document/work.ts";
@@ -15,25 +16,16 @@ import { answerOthers, askFor, claimNew, claimWork, leaveBehind, onLost, ownedWo
 export interface Keeping {
   /** Works on this device, newest first. */
   readonly works: readonly Kept[];
-  readonly notices:
-    readonly ("notKept" | "storageFull" | "newerWorks" | "copyOfOtherTab" | "engineFailed" | "linkDamaged" | "linkTooLarge" | "linkNewer"
-      | "fileTooLarge" | "fileUnreadable" | "mainUnsure" | "isoRead" | "filesLeftOut" | "toolsDamaged" | "toolsNotKept" | "ownDamaged"
-      | "ownNotKept" | "workNotHere")[];
   /** Damaged saves that were set aside when the page opened. */
   readonly damaged: number;
   /** False until the device was read. */
   readonly ready: boolean;
 }
 
-export const useKeeping = create<Keeping>(() => ({ works: [], notices: [], damaged: 0, ready: false }));
+export const useKeeping = create<Keeping>(() => ({ works: [], damaged: 0, ready: false }));
 
-type Notice = Keeping["notices"][number];
-
-export const notice = (which: Notice): void =>
-  useKeeping.setState((k) => (k.notices.includes(which) ? k : { ...k, notices: [...k.notices, which] }));
-
-export const dismiss = (which: Notice | "damaged"): void =>
-  useKeeping.setState((k) => (which === "damaged" ? { ...k, damaged: 0 } : { ...k, notices: k.notices.filter((n) => n !== which) }));
+/** Nothing more is said of damaged saves. */
+export const dismissDamaged = (): void => useKeeping.setState({ damaged: 0 });
 
 /** The last state of each work that is already on the device. */
 const written = new Map<string, Work>();
@@ -56,8 +48,8 @@ export async function keepState(work: string, job: Work): Promise<void> {
   written.set(work, job);
   persistOnce();
   if (!unkept.delete(work) || unkept.size > 0) return;
-  dismiss("storageFull");
-  dismiss("notKept");
+  withdraw("storageFull");
+  withdraw("notKept");
 }
 
 /** Tries again what the device did not take, when there may be room for it. */

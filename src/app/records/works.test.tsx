@@ -1,3 +1,4 @@
+import { useNotices } from "../base/notices.ts";
 import { beforeEach, expect, test, vi } from "vitest";
 import { setTool } from "../document/edits.ts";
 import { redo, undo, useSteps } from "../document/steps.ts";
@@ -23,7 +24,8 @@ beforeEach(() => {
   answers.length = 0;
   other.onmessage = null;
   showElsewhere(null);
-  useKeeping.setState({ works: [], notices: [], damaged: 0, ready: false });
+  useKeeping.setState({ works: [], damaged: 0, ready: false });
+  useNotices.setState({ notices: [] });
 });
 
 test("a work that another tab has open is not opened, but said; a copy of it leaves it as it is", async () => {

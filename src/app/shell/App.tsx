@@ -6,7 +6,8 @@ import { useCoursePlace } from "../place/course-place.ts";
 import { useChoice } from "../document/choice.ts";
 import { DropProgram } from "../../features/files/DropProgram.tsx";
 import { NumberKeys } from "../fields/keypad/NumberKeys.tsx";
-import { HandedLine, IncomingTaught, IncomingWork } from "../../features/handing/HandedParts.tsx";
+import { IncomingTaught } from "../../features/course/teach/IncomingTaught.tsx";
+import { HandedLine, IncomingWork } from "../../features/handing/HandedParts.tsx";
 import { MissingPart } from "../base/MissingPart.tsx";
 import { Notices } from "./Notices.tsx";
 import { useVersion } from "../base/version.ts";
@@ -39,6 +40,7 @@ const fetchOwn = later(() => import("../../features/own/OwnPage.tsx"));
 const OwnPage = lazyPart(async () => ({ default: (await fetchOwn()).OwnPage }));
 const WorksPage = lazyPart(async () => ({ default: (await import("../../features/works/WorksPage.tsx")).WorksPage }));
 const BringInDialog = lazyPart(async () => ({ default: (await import("../../features/works/BringInDialog.tsx")).BringInDialog }));
+const CourseEntrance = lazyPart(async () => ({ default: (await import("../../features/course/CourseEntrance.tsx")).CourseEntrance }));
 const fetchCourse = later(() => import("../../features/course/CoursePage.tsx"));
 const CoursePage = lazyPart(async () => ({ default: (await fetchCourse()).CoursePage }));
 const ElsewherePage = lazyPart(async () => ({ default: (await import("../../features/works/ElsewherePage.tsx")).ElsewherePage }));
@@ -68,7 +70,7 @@ function Entrance() {
       </Suspense>
     );
   }
-  if (!works && !course) return <StartPage />;
+  if (!works && !course) return <StartPage course={<CourseEntrance />} />;
   return <Suspense>{course ? <CoursePage /> : <WorksPage />}</Suspense>;
 }
 

@@ -1,5 +1,6 @@
 import { Icon } from "../base/Icon.tsx";
-import { dismiss, unkeptNames, unkeptWorks, useKeeping } from "../records/keep.ts";
+import { useNotices, withdraw } from "../base/notices.ts";
+import { dismissDamaged, unkeptNames, unkeptWorks, useKeeping } from "../records/keep.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 
 /** The works that are nowhere but in this page, as files. */
@@ -26,12 +27,13 @@ function DownloadUnkept() {
 /** What happened to saved work, until it is dismissed. */
 export function Notices() {
   const t = useFirstTexts().page.notice;
-  const { notices, damaged } = useKeeping();
+  const { damaged } = useKeeping();
+  const { notices } = useNotices();
   const line = (key: (typeof notices)[number] | "damaged", text: string) => (
     <p key={key} className="notice">
       <Icon name="info" /> <span>{text}</span>
       {(key === "notKept" || key === "storageFull") && <DownloadUnkept />}
-      <button type="button" className="button icon plain" aria-label={t.dismiss} onClick={() => dismiss(key)}>
+      <button type="button" className="button icon plain" aria-label={t.dismiss} onClick={() => (key === "damaged" ? dismissDamaged() : withdraw(key))}>
         <Icon name="close" />
       </button>
     </p>

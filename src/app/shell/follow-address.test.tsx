@@ -3,7 +3,8 @@ import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job.ts";
 import { hideOwn, showOwn } from "../document/own-place.ts";
 import { openPrompt, showSection, usePlace } from "../place/place.ts";
-import { dismiss, startKeeping, startWork, useKeeping } from "../records/keep.ts";
+import { useNotices, withdraw } from "../base/notices.ts";
+import { startKeeping, startWork } from "../records/keep.ts";
 import { begin, useEditor } from "../document/store.ts";
 import { hideTools, openRow, showTools, useToolPlace } from "../document/tool-place.ts";
 import { hideWhich, showWhich, useWhichPlace } from "../document/which-place.ts";
@@ -23,7 +24,7 @@ beforeEach(() => {
   hideOwn();
   hideWhich();
   openRow(null);
-  dismiss("workNotHere");
+  withdraw("workNotHere");
   history.pushState(null, "", "/");
   stops = [startKeeping(), followAddress()];
 });
@@ -127,7 +128,7 @@ test("the question which cycle has an entry, and the own cycles too", async () =
 
 test("a work that is gone leads to the start page, which says so", async () => {
   location.hash = "#/work/gone/setup";
-  await until(() => expect(useKeeping.getState().notices).toContain("workNotHere"));
+  await until(() => expect(useNotices.getState().notices).toContain("workNotHere"));
   await is("#/");
   expect(useEditor.getState().work).toBeNull();
 });

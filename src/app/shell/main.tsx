@@ -12,7 +12,9 @@ import { openShared } from "./open-shared.ts";
 import { onHistoryKey } from "../document/history.ts";
 import { startOwn } from "../records/keep-own.ts";
 import { startOfflineLater } from "../../features/offline/start-offline.ts";
+import { useNotices } from "../base/notices.ts";
 import { followMissing, untilHere } from "../base/parts.ts";
+import "./slots.ts";
 import { startKeeping, useKeeping } from "../records/keep.ts";
 import { resume } from "./resume.ts";
 import { followAppearance } from "../base/settings/appearance.ts";
@@ -43,9 +45,9 @@ async function keepBeside(): Promise<void> {
   takeKeptSteps();
   startKeepingSteps();
   startKeepingPictures();
-  const { works, notices } = useKeeping.getState();
+  const { works } = useKeeping.getState();
   // Works of a newer edition are not in the list, but they are here.
-  if (notices.includes("newerWorks")) return;
+  if (useNotices.getState().notices.includes("newerWorks")) return;
   const { forgetHandles } = await untilHere(() => import("../records/files/kept-handles.ts"));
   await forgetHandles(new Set(works.map(({ work }) => work)));
 }

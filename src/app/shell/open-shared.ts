@@ -1,6 +1,6 @@
 import { isShareLink } from "../place/address.ts";
 import { untilHere } from "../base/parts.ts";
-import { notice } from "../records/keep.ts";
+import { notice } from "../base/notices.ts";
 
 const PROBLEMS = { tooLarge: "linkTooLarge", newer: "linkNewer", damaged: "linkDamaged" } as const;
 

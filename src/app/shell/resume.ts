@@ -1,7 +1,8 @@
 import { begin } from "../document/store.ts";
 import { findWorks, readWork, type Kept } from "../records/device.ts";
 import { showElsewhere } from "../place/elsewhere.ts";
-import { claimPatiently, keepState, notice, noteWritten, unkeptWorks, useKeeping } from "../records/keep.ts";
+import { notice } from "../base/notices.ts";
+import { claimPatiently, keepState, noteWritten, unkeptWorks, useKeeping } from "../records/keep.ts";
 import { readSave } from "../records/save-file.ts";
 import { leaveBehind, leftBehind, rememberedWork, rememberWork } from "../records/tab.ts";
 

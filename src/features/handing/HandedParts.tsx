@@ -2,12 +2,10 @@ import { Suspense } from "react";
 import { lazyPart } from "../../app/base/parts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { handedOn, useEditor } from "../../app/document/store.ts";
-import { useTaughtShown } from "../../app/records/course/taught-shown.ts";
 import { useIncoming } from "../../app/records/incoming.ts";
 
 /** Fetched when something was handed on. */
 const IncomingDialog = lazyPart(async () => ({ default: (await import("./IncomingDialog.tsx")).IncomingDialog }));
-const TaughtDialog = lazyPart(async () => ({ default: (await import("../course/teach/TaughtDialog.tsx")).TaughtDialog }));
 const WorkBar = lazyPart(async () => ({ default: (await import("./WorkBar.tsx")).WorkBar }));
 
 /** What a link or a file holds, as long as nobody has said what becomes of it. */
@@ -16,16 +14,6 @@ export function IncomingWork() {
   return waits && (
     <Suspense>
       <IncomingDialog />
-    </Suspense>
-  );
-}
-
-/** A task or results that came from outside, until somebody closes them. */
-export function IncomingTaught() {
-  const waits = useTaughtShown((s) => s.shown !== null);
-  return waits && (
-    <Suspense>
-      <TaughtDialog />
     </Suspense>
   );
 }

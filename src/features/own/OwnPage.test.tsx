@@ -1,10 +1,10 @@
+import { useNotices } from "../../app/base/notices.ts";
 import { cleanup, render, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { parse } from "../../nc/parse.ts";
 import { newParameter, OWN_SIZES, type OwnEntry } from "../../program/own-cycle.ts";
 import { onHistoryKey } from "../../app/document/history.ts";
-import { useKeeping } from "../../app/records/keep.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
 import { redo, undo, useSteps } from "../../app/document/steps.ts";
 import { readKeptOwn, startOwn, writeKeptOwn } from "../../app/records/keep-own.ts";
@@ -30,7 +30,7 @@ beforeEach(() => {
   changeSettings({ language: "en" });
   localStorage.removeItem("turnwise/own-cycles");
   localStorage.removeItem("turnwise/own-cycles/damaged");
-  useKeeping.setState({ notices: [] });
+  useNotices.setState({ notices: [] });
   takeOwn([]);
   useOwnPlace.setState({ shown: true, row: null, focus: 0 });
 });
@@ -152,7 +152,7 @@ test("what is kept comes back; damaged text does not", () => {
 test("changes are kept on the device, damaged lists are set aside, other tabs are followed", () => {
   localStorage.setItem("turnwise/own-cycles", "{broken");
   const stop = startOwn();
-  expect(useKeeping.getState().notices).toEqual(["ownDamaged"]);
+  expect(useNotices.getState().notices).toEqual(["ownDamaged"]);
   expect(localStorage.getItem("turnwise/own-cycles/damaged")).toBe("{broken");
   useOwn.setState({ list: [entry("c1", "317")] });
   dispatchEvent(new Event("pagehide"));

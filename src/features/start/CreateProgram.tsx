@@ -1,10 +1,11 @@
 import { Suspense } from "react";
 import { lazyPart } from "../../app/base/parts.ts";
+import { newProgramSlot } from "../../app/fields/slots.ts";
 import { fetchShownTexts } from "../../app/base/settings/shown-texts.ts";
 
 /** Fetched with its texts when it is first opened. */
 const NewProgram = lazyPart(async () => {
-  const [{ NewProgram: dialog }] = await Promise.all([import("../editor/operations/NewProgram.tsx"), fetchShownTexts()]);
+  const [dialog] = await Promise.all([newProgramSlot.fetch(), fetchShownTexts()]);
   return { default: dialog };
 });
 

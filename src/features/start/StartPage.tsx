@@ -12,7 +12,6 @@ import { openExample, ProgramStart } from "./ProgramStart.tsx";
 import { usePictures } from "./use-pictures.ts";
 
 /** They come a moment after the rest, into places that are kept for them. */
-const CourseEntrance = lazyPart(async () => ({ default: (await import("../course/CourseEntrance.tsx")).CourseEntrance }));
 const Welcome = lazyPart(async () => ({ default: (await import("./Welcome.tsx")).Welcome }));
 
 /** Needs the catalogue, which is fetched while the operator looks. */
@@ -51,7 +50,7 @@ function useMore(): More {
 }
 
 /** The first screen: earlier work, what the page is, and the ways to new work. */
-export function StartPage() {
+export function StartPage({ course }: { readonly course: ReactNode }) {
   const t = useFirstTexts();
   const going = useRef(false);
   const pictures = usePictures();
@@ -94,7 +93,7 @@ export function StartPage() {
         <p className="soft">{words.lead}</p>
         <div className="course-place">
           <Suspense>
-            <CourseEntrance />
+            {course}
           </Suspense>
         </div>
       </div>

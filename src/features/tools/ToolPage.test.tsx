@@ -1,3 +1,4 @@
+import { useNotices } from "../../app/base/notices.ts";
 import { cleanup, render, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
@@ -6,7 +7,6 @@ import { cellOf, tableOrigin } from "../../program/tool-entry.ts";
 import { shippedList } from "../../program/tool-list.ts";
 import { writeTableText } from "../../program/tool-table-text.ts";
 import { onHistoryKey } from "../../app/document/history.ts";
-import { useKeeping } from "../../app/records/keep.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
 import { undo, useSteps } from "../../app/document/steps.ts";
 import { readKept, startTools, writeKept } from "../../app/records/keep-tools.ts";
@@ -32,7 +32,7 @@ beforeEach(() => {
   changeSettings({ language: "en" });
   localStorage.removeItem("turnwise/tools");
   localStorage.removeItem("turnwise/tools/damaged");
-  useKeeping.setState({ notices: [] });
+  useNotices.setState({ notices: [] });
   takeTools(shippedList);
   useToolPlace.setState({ shown: true, row: null, kind: "turning" });
 });
@@ -174,7 +174,7 @@ test("what is kept comes back; the shipped table is not kept, so that it can be 
 test("changes are kept on the device, damaged tables are set aside, other tabs are followed", () => {
   localStorage.setItem("turnwise/tools", "{broken");
   const stop = startTools();
-  expect(useKeeping.getState().notices).toEqual(["toolsDamaged"]);
+  expect(useNotices.getState().notices).toEqual(["toolsDamaged"]);
   expect(localStorage.getItem("turnwise/tools/damaged")).toBe("{broken");
   expect(list()).toEqual(shippedList);
   const changed = shippedList.slice(0, 3);

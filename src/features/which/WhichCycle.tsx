@@ -3,6 +3,7 @@ import { loadWhich } from "../../i18n/load-which.ts";
 import { comparison as byWorker } from "../../app/calculation/beside.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { lazyPart } from "../../app/base/parts.ts";
+import { contourTableSlot } from "../../app/fields/slots.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { canBePreturned, readAsking, soughtAt, usualNumbers, type Sought, type WhichRegion } from "../../app/document/asking.ts";
@@ -18,7 +19,7 @@ import "./which.css";
 
 const { useThemSoon: useWhichTexts } = laterTexts(loadWhich);
 
-const ContourTable = lazyPart(async () => ({ default: (await import("../contour/ContourTable.tsx")).ContourTable }));
+const ContourTable = lazyPart(async () => ({ default: await contourTableSlot.fetch() }));
 
 interface Props {
   readonly done: () => void;

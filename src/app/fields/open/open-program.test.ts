@@ -1,9 +1,9 @@
 // @vitest-environment jsdom
+import { useNotices } from "../../base/notices.ts";
 import { beforeEach, expect, test } from "vitest";
 import { shippedTools } from "../../../program/shipped-tools.ts";
 import { engine } from "../../calculation/engine.ts";
 import { forgetOutcome, takeOutcome } from "../../calculation/outcome.ts";
-import { useKeeping } from "../../records/keep.ts";
 import { undo, redo } from "../../document/steps.ts";
 import { begin, changeProgram, useEditor } from "../../document/store.ts";
 import { textsOf } from "../../document/work.ts";
@@ -44,7 +44,7 @@ beforeEach(() => {
   begin(null, null);
   forgetOutcome();
   showFile(null);
-  useKeeping.setState({ notices: [] });
+  useNotices.setState({ notices: [] });
   endChoice();
 });
 
@@ -53,7 +53,7 @@ test("one file is a program alone; several are one work, and the one that no oth
   expect(program()).toEqual({ name: "a.h", text: pgm("L X+1"), encoding: "utf-8" });
   await openFiles(chosen({ "cut.h": pgm("L X+1"), "whole.h": pgm("CALL PGM CUT"), "p.tab": "1" }));
   expect(names()).toEqual(["whole.h", "cut.h", "p.tab"]);
-  expect(useKeeping.getState().notices).toEqual([]);
+  expect(useNotices.getState().notices).toEqual([]);
 });
 
 test("several programs that no other calls are not forced into one work: which is opened is asked", async () => {
@@ -72,13 +72,13 @@ test("several programs that no other calls are not forced into one work: which i
   expect(names()).toEqual(["b.h", "sub.h"]);
   choice().together();
   expect(names()).toEqual(["a.h", "b.h", "sub.h", "p.tab"]);
-  expect(useKeeping.getState().notices).toEqual([]);
+  expect(useNotices.getState().notices).toEqual([]);
 });
 
 test("programs that all call each other are one work, and that it is not clear which one runs is said", async () => {
   await openFiles(chosen({ "a.h": pgm("CALL PGM B"), "b.h": pgm("CALL PGM A") }));
   expect(names()).toEqual(["a.h", "b.h"]);
-  expect(useKeeping.getState().notices).toEqual(["mainUnsure"]);
+  expect(useNotices.getState().notices).toEqual(["mainUnsure"]);
 });
 
 test("of two files with one name the first counts", async () => {
@@ -90,7 +90,7 @@ test("a file that can not be read is said, and the others are opened", async () 
   const broken = plainFiles([fileOf("folder", () => Promise.reject(new Error("a folder")), 10)]);
   expect(await openFiles([...chosen({ "a.h": pgm("L X+1") }), ...broken])).toBe("opened");
   expect(names()).toEqual(["a.h"]);
-  expect(useKeeping.getState().notices).toEqual(["fileUnreadable"]);
+  expect(useNotices.getState().notices).toEqual(["fileUnreadable"]);
   expect(await openFiles(broken)).toBe("unreadable");
   expect(names()).toEqual(["a.h"]);
 });
@@ -102,7 +102,7 @@ test("files that are too large together are not opened, nor put beside a program
   await openFiles(chosen({ "main.h": pgm("CALL PGM A") }));
   await addFiles(large);
   expect(names()).toEqual(["main.h"]);
-  expect(useKeeping.getState().notices).toEqual(["fileTooLarge"]);
+  expect(useNotices.getState().notices).toEqual(["fileTooLarge"]);
 });
 
 test("what a program calls and does not have is missing until it is added; taking it back is one step", async () => {

@@ -3,7 +3,9 @@ import { useOutcome } from "../../calculation/outcome.ts";
 import type { HandedOn } from "../../../program/job.ts";
 import { fileKey } from "../../../program/program-files.ts";
 import { untilHere } from "../../base/parts.ts";
-import { notice, startWork } from "../../records/keep.ts";
+import { taughtFilesSlot } from "../slots.ts";
+import { notice } from "../../base/notices.ts";
+import { startWork } from "../../records/keep.ts";
 import { changeProgram, useEditor } from "../../document/store.ts";
 import { bringIn, isArchiveName } from "../../records/bring-in-place.ts";
 import { broughtBy, textsOf, withFile, type ProgramWork, type WorkFile } from "../../document/work.ts";
@@ -115,7 +117,7 @@ export async function openFiles(chosen: readonly Chosen[]): Promise<Opening> {
 
 /** Opens tasks and results, told by the name that they are saved under, or by what stands in them; false for other files. */
 async function openTaught(files: readonly File[]): Promise<boolean> {
-  const { areTaught, openTaughtFiles } = await untilHere(() => import("../../../features/course/teach/open-taught.ts"));
+  const { areTaught, openTaughtFiles } = await untilHere(taughtFilesSlot.fetch);
   if (!files.some(({ name }) => /\.turnwise-(?:task|result)\b.*\.json$/i.test(name)) && !(await areTaught(files))) return false;
   await openTaughtFiles(files);
   return true;

@@ -6,19 +6,20 @@ import type { ShowBlock } from "../../place/compare-place.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { mayLeave } from "../leaving/leaving.ts";
 import { lazyPart } from "../../base/parts.ts";
+import { drawingSlot, exportSlot, handOnSlot, teachSlot } from "../slots.ts";
 import { printedText, programName } from "../../document/printed.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { showSheet } from "../../document/sheet-place.ts";
 import { isProgram, type Work } from "../../document/work.ts";
 
 /** Fetched when it is first opened. */
-const HandOnDialog = lazyPart(async () => ({ default: (await import("../../../features/handing/HandOnDialog.tsx")).HandOnDialog }));
-const PartExport = lazyPart(async () => ({ default: (await import("../../../features/export/PartExport.tsx")).PartExport }));
+const HandOnDialog = lazyPart(async () => ({ default: await handOnSlot.fetch() }));
+const PartExport = lazyPart(async () => ({ default: await exportSlot.fetch() }));
 const TurnRound = lazyPart(async () => ({ default: (await import("./TurnRound.tsx")).TurnRound }));
-const ProgramDrawing = lazyPart(async () => ({ default: (await import("../../../features/course/drawing/ProgramDrawing.tsx")).ProgramDrawing }));
+const ProgramDrawing = lazyPart(async () => ({ default: await drawingSlot.fetch() }));
 const ClampingDialog = lazyPart(async () => ({ default: (await import("./ClampingDialog.tsx")).ClampingDialog }));
 const OutputDialog = lazyPart(async () => ({ default: (await import("./OutputDialog.tsx")).OutputDialog }));
-const TeachDialog = lazyPart(async () => ({ default: (await import("../../../features/course/teach/TeachDialog.tsx")).TeachDialog }));
+const TeachDialog = lazyPart(async () => ({ default: await teachSlot.fetch() }));
 
 /** A work on its way out, with the verdict that goes with it. */
 interface Leaving {

@@ -8,6 +8,7 @@ import { useFits } from "../../calculation/fits.ts";
 import { setBlank, setPerRevolution, setRapid, setSpindle, setStart } from "../../document/edits.ts";
 import { MoreLater } from "../said/MoreLater.tsx";
 import { lazyPart } from "../../base/parts.ts";
+import { setupStartSlot } from "../slots.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { NumberField } from "./NumberField.tsx";
@@ -17,7 +18,7 @@ import { ToolTable } from "./ToolTable.tsx";
 
 /** Fetched where a machine states its rapid rates. */
 const MachineRapid = lazyPart(async () => ({ default: (await import("../machine/MachineRapid.tsx")).MachineRapid }));
-const SetupStart = lazyPart(async () => ({ default: (await import("../../../features/guide/SetupStart.tsx")).SetupStart }));
+const SetupStart = lazyPart(async () => ({ default: await setupStartSlot.fetch() }));
 
 const JobClamping = lazyPart(async () => ({ default: (await import("./JobClamping.tsx")).JobClamping }));
 

@@ -17,6 +17,7 @@ import { MeasuredInSection, Measurements } from "../measure/Measurements.tsx";
 import { useMeasuring } from "../measure/measuring.ts";
 import { useLatheSource } from "../measure/source.ts";
 import { lazyPart } from "../../base/parts.ts";
+import { whichSlot } from "../../document/which-place.ts";
 import { KEEPS_KEYBOARD } from "../../place/place.ts";
 import { reducedMotion } from "../../base/settings/appearance.ts";
 import { useSettings } from "../../base/settings/settings.ts";
@@ -63,7 +64,7 @@ const TurnPoints = lazyPart(async () => ({ default: (await import("../plane/Turn
 /** Fetched when the turned body is looked at in space. */
 const GhostPaths = lazyPart(async () => ({ default: (await import("./Ghost.tsx")).GhostPaths }));
 const SolidView = lazyPart(async () => ({ default: (await import("../solid/SolidView.tsx")).SolidView }));
-const WhichCycle = lazyPart(async () => ({ default: (await import("../../../features/which/WhichCycle.tsx")).WhichCycle }));
+const WhichCycle = lazyPart(async () => ({ default: await whichSlot.fetch() }));
 
 const NOWHERE: readonly LookAt[] = [];
 const NO_RINGS: readonly Ring[] = [];

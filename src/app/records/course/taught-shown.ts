@@ -3,7 +3,14 @@ import type { HandedResult } from "../../../course/made/result.ts";
 import type { Task } from "../../../course/task.ts";
 import { gather, startGathered, useGathered } from "./gathered.ts";
 import { isAmong, type LearnerFile } from "./result-rows.ts";
-import type { TaughtProblem } from "../../../features/course/teach/taught-files.ts";
+import type { FieldFault } from "../../../course/read-task.ts";
+
+/**
+ * Why nothing was read: more than is opened, of a newer edition, of another kind, no JSON (`line`: where that is seen, from 1), cut or
+ * altered on its way, fields that are wrong, or a file that the browser does not give.
+ */
+export type TaughtProblem = { readonly kind: "tooLarge" | "newer" | "foreign" | "damaged" | "unreadable" } | { readonly kind: "notJson";
+  readonly line: number | null } | { readonly kind: "fields"; readonly faults: readonly FieldFault[] };
 
 /** A file that brought no results, by its name, and why: it is here already, holds a task, or cannot be read. */
 export interface FileLeftOut {

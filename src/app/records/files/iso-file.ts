@@ -1,5 +1,5 @@
 import { untilHere } from "../../base/parts.ts";
-import { notice } from "../keep.ts";
+import { notice } from "../../base/notices.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import type { WorkFile } from "../../document/work.ts";
 

@@ -1,7 +1,7 @@
 import { HandingDialog } from "../../../app/base/HandingDialog.tsx";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useProblemWords } from "./problem-words.ts";
-import type { TaughtProblem } from "./taught-files.ts";
+import type { TaughtProblem } from "../../../app/records/course/taught-shown.ts";
 import { leaveTaught } from "../../../app/records/course/taught-shown.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 

@@ -1,5 +1,6 @@
 import type { FieldFault } from "../../../course/read-task.ts";
-import { LARGEST_TAUGHT, type TaughtProblem } from "./taught-files.ts";
+import type { TaughtProblem } from "../../../app/records/course/taught-shown.ts";
+import { LARGEST_TAUGHT } from "./taught-files.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 
 /** Most faults that are told at once. */

@@ -1,5 +1,6 @@
 import { readResult, RESULT_FORMAT, type HandedResult } from "../../../course/made/result.ts";
-import { formatOf, readTask, type FieldFault } from "../../../course/read-task.ts";
+import { formatOf, readTask } from "../../../course/read-task.ts";
+import type { TaughtProblem } from "../../../app/records/course/taught-shown.ts";
 import { TASK_FORMAT, type Task } from "../../../course/task.ts";
 import { packedForLink, unpackedFromLink } from "../../../app/records/link.ts";
 import { fromOutside } from "../../../app/records/course/content.ts";
@@ -8,13 +9,6 @@ import { fromOutside } from "../../../app/records/course/content.ts";
 const TASK_MARK = "#t1=", RESULT_MARK = "#r1=";
 /** Largest file of a task or of results, and most text that a link unpacks to, characters. */
 export const LARGEST_TAUGHT = 4_000_000;
-
-/**
- * Why nothing was read: more than is opened, of a newer edition, of another kind, no JSON (`line`: where that is seen, from 1), cut or
- * altered on its way, fields that are wrong, or a file that the browser does not give.
- */
-export type TaughtProblem = { readonly kind: "tooLarge" | "newer" | "foreign" | "damaged" | "unreadable" } | { readonly kind: "notJson";
-  readonly line: number | null } | { readonly kind: "fields"; readonly faults: readonly FieldFault[] };
 
 /** What was read, or why nothing was. `left`: fields that nobody knows. */
 export type ReadTaught = { readonly kind: "task"; readonly task: Task; readonly left: readonly string[] } | { readonly kind: "result";

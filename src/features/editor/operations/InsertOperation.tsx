@@ -15,6 +15,7 @@ import { useOutcome } from "../../../app/calculation/outcome.ts";
 import { showFile } from "../../../app/document/shown-file.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { lazyPart } from "../../../app/base/parts.ts";
+import { whichSlot } from "../../../app/document/which-place.ts";
 import { showSection } from "../../../app/place/place.ts";
 import { outputInUse } from "../../../app/document/output.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
@@ -27,7 +28,7 @@ import { ToolChoice } from "./ToolChoice.tsx";
 import { cycleWords } from "../../../app/fields/blocks/words.ts";
 import "./operations.css";
 
-const WhichCycle = lazyPart(async () => ({ default: (await import("../../which/WhichCycle.tsx")).WhichCycle }));
+const WhichCycle = lazyPart(async () => ({ default: await whichSlot.fetch() }));
 
 /** What the new operation finds: the blank, and what runs before its place. */
 function proposalFor(cycle: Cycle, behind: number | null): SetJob {
