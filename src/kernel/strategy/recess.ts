@@ -53,7 +53,8 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   if (tool.TYPE === "RECESS") issues.push(issue("toolCannotCutSideways", "warning", { type: tool.TYPE }, "tool"));
   if (called.v < opening - SAME) issues.push(issue("startBelowContour", "info", { below: opening - called.v }, "startV"));
 
-  const span = { from: first.u, to: last.u };
+  // A tool that fits exactly may stand beyond an end by what is nothing.
+  const span = { from: first.u - SAME, to: last.u + SAME };
   const limits = limitsOf(l.limit, called, flat, issues);
   const insert = insertIn(tool, l.frame);
   const room = tipBetween(limits, insert);
