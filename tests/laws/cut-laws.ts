@@ -114,6 +114,8 @@ const looseOf = ({ simulation }: Worked) => simulation.proof.loose.flatMap(({ ri
 
 /** Pieces that hang on by less than this are judged by neither, mm; smaller ones are crumbs, mm². */
 const HANGS = 0.05;
+/** A rear end is one along this much, and when it is as high, mm. */
+const CLAMPED = 1;
 const PIECE = 0.1;
 
 /** What no longer hangs together with the rear end has left the stock, and nothing else has. */
@@ -121,9 +123,11 @@ const judgesAgreeOnLoose: CutLaw = (w) => {
   if (w.plans.length > 1) return null;
   const rear = Math.min(...w.situation.blank.flat().map(({ z }) => z));
   const least = (of: (v: Verdict) => number) => Math.min(...w.verdicts.map(of));
-  const held = least(({ grid, final }) => areaOf(grid, each(heldIn(grid, final, rear, HANGS), filled(grid, looseOf(w)), common)));
-  // Where a cut has taken all that was clamped, nothing tells what holds the rest.
+  const held = least(({ grid, final }) => areaOf(grid, each(heldIn(grid, final, rear - WIDTH, HANGS), filled(grid, looseOf(w)), common)));
+  // Where a cut has taken all that was clamped, or left a point of it, nothing tells what holds the rest.
   if (w.verdicts.every(({ grid, final }) => areaOf(grid, heldIn(grid, final, rear, -HANGS)) === 0)) return null;
+  const clamped = [at(rear, 0), at(rear + CLAMPED, 0), at(rear + CLAMPED, 1e4), at(rear, 1e4)];
+  if (Math.max(0, ...intersection(w.simulation.final, [clamped]).flat().map(({ r }) => r)) < CLAMPED) return null;
   if (held > PIECE) return `${mm2(held)} that hang together with the rear end have left the stock`;
   const loose = least(({ grid, final }) =>
     beyond(grid, withoutCrumbs(grid, each(final, heldIn(grid, final, rear, -HANGS), without), PIECE), filled(grid, looseOf(w)))
@@ -255,6 +259,8 @@ const facesAreClean: CutLaw = ({ plans, simulation, situation: { values } }) => 
   const face = plan.contour.find(({ kind, from, to }) => kind === "line" && Math.abs(from.z - to.z) < PIP && Math.min(from.r, to.r) <= 0);
   if (!face || !isFinished || plan.moves.length === 0 || values["Q479"] === 1 || values["Q487"] === 0) return null;
   if (plan.openSide.r < 0 || plan.issues.some((i) => i.code === "angleNotFollowed")) return null;
+  // What is drawn beyond the axis alone keeps the nose from facing it.
+  if (plan.contour.some(({ from, to }) => Math.max(from.r, to.r) < 0)) return null;
   const out = plan.openSide.z || (plan.contour[0] === face ? Math.sign(face.from.z - (plan.contour.at(-1) as Segment).to.z) : 1);
   const [z0, z1] = [face.from.z, face.from.z + out * NEAR].sort((a, b) => a - b) as [number, number];
   const pip = intersection(intersection(simulation.final, [plan.area]), [[at(z0, 0), at(z1, 0), at(z1, NEAR), at(z0, NEAR)]]);

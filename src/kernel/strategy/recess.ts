@@ -53,8 +53,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   if (tool.TYPE === "RECESS") issues.push(issue("toolCannotCutSideways", "warning", { type: tool.TYPE }, "tool"));
   if (called.v < opening - SAME) issues.push(issue("startBelowContour", "info", { below: opening - called.v }, "startV"));
 
-  // A tool that fits exactly may stand beyond an end by what is nothing.
-  const span = { from: first.u - SAME, to: last.u + SAME };
+  const span = { from: first.u, to: last.u };
   const limits = limitsOf(l.limit, called, flat, issues);
   const insert = insertIn(tool, l.frame);
   const room = tipBetween(limits, insert);
@@ -85,7 +84,10 @@ export function planRecess(l: Recess, setting: Setting): Plan {
 
   let division: Division = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
-    const deepest = lowest(kept.envelope, Math.max(span.from, room.from), Math.min(span.to, room.to));
+    // A tool that fits exactly may stand beyond an end by what is nothing.
+    const beyond = (apart: number) => (apart > 0 && apart <= SAME ? apart : 0);
+    const [low, high] = [span.from - beyond(span.from - kept.start.u), span.to + beyond(kept.end.u - span.to)];
+    const deepest = lowest(kept.envelope, Math.max(low, room.from), Math.min(high, room.to));
     const upper = Math.min(top, limits.ceiling);
     const depth = deepest > (l.free ? upper : opening) - SAME ? 0 : upper - deepest;
     const divided = divide(depth, limitedInfeed(l.infeed, tool, depth, issues), issues);
