@@ -3,66 +3,25 @@ import type { Plan } from "../../src/kernel/plan.ts";
 import { areaOf as polygonArea } from "../../src/kernel/area.ts";
 import { difference, intersection, offset } from "../../src/kernel/clip.ts";
 import { areaOutside } from "../../src/kernel/real-area.ts";
-import { at, part, type Segment } from "../../src/kernel/point.ts";
+import { at, type Segment } from "../../src/kernel/point.ts";
 import { cutEnds } from "../../src/sim/held.ts";
-import type { Simulation } from "../../src/sim/simulation.ts";
 import { areaOf, common, each, filled, grown, without, withoutCrumbs, type Field, type Grid } from "../judge/field.ts";
 import { heldIn } from "../judge/held.ts";
 import type { P } from "../judge/insert.ts";
-import { gridOver, judge, sumOf, THIN, type Verdict } from "../judge/judge.ts";
-import { doing, type Finding, type Situation } from "./situation.ts";
-import { planOf, simulated, startsBadly, stepsOf } from "./worked-plans.ts";
-
-const { flattenedChain } = part;
+import { judge, sumOf, THIN, type Verdict } from "../judge/judge.ts";
+import type { Finding, Situation } from "./situation.ts";
+import { startsBadly, stepsOf } from "./worked-plans.ts";
+import { looseOf, partOf, WIDTH, worked, type Worked } from "./worked.ts";
 
 /*
  * What must hold of every set-up once its moves have cut the stock, judged twice: by src/sim with polygons and by the
  * columns of tests/judge. Finishing alone (Q215 = 2, 3) is cut after the roughing of the same values.
  */
 
-/** Width of the columns, mm. Both judges take what is thinner than this and shallower than THIN for the same. */
-export const WIDTH = 0.05;
 /** Smaller areas are the chords of two curves that touch, mm². */
 const REAL = 0.02;
 /** Residue of less than 0.01 mm² in one piece is not reported; columns measure it no better than this. */
 const CRUMB = 0.012;
-
-/** A situation with everything that the laws ask about it. */
-export interface Worked {
-  readonly cycle: Cycle;
-  readonly situation: Situation;
-  /** The plans that run, one after the other; the last one is the operation that was asked for. */
-  readonly plans: readonly Plan[];
-  readonly simulation: Simulation;
-  readonly verdicts: readonly Verdict[];
-}
-
-/** The finished part as the contour alone tells it: the contour, and everything behind it away from its open side. */
-function behind(plan: Plan): P[] {
-  const line = flattenedChain(plan.contour, 0.0005);
-  const [first, last] = [line[0], line.at(-1)];
-  if (!first || !last) return [];
-  const far = 1000;
-  const away = (p: P): P => ({ z: p.z - plan.openSide.z * far, r: p.r - plan.openSide.r * far });
-  return [...line, away(last), away(first)];
-}
-
-/** What no motion may cut: the part of the last operation. */
-function partOf(plans: readonly Plan[]): P[][] {
-  const last = plans.at(-1);
-  return last && last.contour.length > 0 ? [behind(last)] : [];
-}
-
-/** Plans, cuts and judges a situation. */
-export function worked(cycle: Cycle, situation: Situation, width = WIDTH): Worked {
-  const operation = situation.values["Q215"] ?? 0;
-  const plans = (operation >= 2 ? [1, operation] : [operation]).map((o, i) => planOf(cycle, doing(situation, o), i === 0));
-  const steps = stepsOf(plans, situation);
-  const verdicts = (["z", "r"] as const).map((along) =>
-    judge(situation.blank, steps, partOf(plans), gridOver(situation.blank, along, width))
-  );
-  return { cycle, situation, plans, simulation: simulated(plans, situation), verdicts };
-}
 
 export type CutLaw = (w: Worked) => Finding;
 
@@ -110,10 +69,10 @@ const judgesAgreeOnStock: CutLaw = (w) => {
   return `the columns keep ${mm2(more)} more and ${mm2(less)} less than the polygons`;
 };
 
-const looseOf = ({ simulation }: Worked) => simulation.proof.loose.flatMap(({ rings }) => rings);
-
 /** Pieces that hang on by less than this are judged by neither, mm; smaller ones are crumbs, mm². */
 const HANGS = 0.05;
+/** A rear end is one along this much, and when it is as high, mm. */
+const CLAMPED = 1;
 const PIECE = 0.1;
 
 /** What no longer hangs together with the rear end has left the stock, and nothing else has. */
@@ -121,9 +80,11 @@ const judgesAgreeOnLoose: CutLaw = (w) => {
   if (w.plans.length > 1) return null;
   const rear = Math.min(...w.situation.blank.flat().map(({ z }) => z));
   const least = (of: (v: Verdict) => number) => Math.min(...w.verdicts.map(of));
-  const held = least(({ grid, final }) => areaOf(grid, each(heldIn(grid, final, rear, HANGS), filled(grid, looseOf(w)), common)));
-  // Where a cut has taken all that was clamped, nothing tells what holds the rest.
+  const held = least(({ grid, final }) => areaOf(grid, each(heldIn(grid, final, rear - WIDTH, HANGS), filled(grid, looseOf(w)), common)));
+  // Where a cut has taken all that was clamped, or left a point of it, nothing tells what holds the rest.
   if (w.verdicts.every(({ grid, final }) => areaOf(grid, heldIn(grid, final, rear, -HANGS)) === 0)) return null;
+  const clamped = [at(rear, 0), at(rear + CLAMPED, 0), at(rear + CLAMPED, 1e4), at(rear, 1e4)];
+  if (Math.max(0, ...intersection(w.simulation.final, [clamped]).flat().map(({ r }) => r)) < CLAMPED) return null;
   if (held > PIECE) return `${mm2(held)} that hang together with the rear end have left the stock`;
   const loose = least(({ grid, final }) =>
     beyond(grid, withoutCrumbs(grid, each(final, heldIn(grid, final, rear, -HANGS), without), PIECE), filled(grid, looseOf(w)))
@@ -255,6 +216,8 @@ const facesAreClean: CutLaw = ({ plans, simulation, situation: { values } }) => 
   const face = plan.contour.find(({ kind, from, to }) => kind === "line" && Math.abs(from.z - to.z) < PIP && Math.min(from.r, to.r) <= 0);
   if (!face || !isFinished || plan.moves.length === 0 || values["Q479"] === 1 || values["Q487"] === 0) return null;
   if (plan.openSide.r < 0 || plan.issues.some((i) => i.code === "angleNotFollowed")) return null;
+  // What is drawn beyond the axis alone keeps the nose from facing it.
+  if (plan.contour.some(({ from, to }) => Math.max(from.r, to.r) < 0)) return null;
   const out = plan.openSide.z || (plan.contour[0] === face ? Math.sign(face.from.z - (plan.contour.at(-1) as Segment).to.z) : 1);
   const [z0, z1] = [face.from.z, face.from.z + out * NEAR].sort((a, b) => a - b) as [number, number];
   const pip = intersection(intersection(simulation.final, [plan.area]), [[at(z0, 0), at(z1, 0), at(z1, NEAR), at(z0, NEAR)]]);

@@ -82,6 +82,6 @@ function between(e: Envelope, from: number, to: number): Span[] {
 
 /** The ends of a path along a contour: one beside a slot lies on its far side, so that the path leads through it. */
 export function besideSlot(start: Flat, end: Flat, slots: readonly Interval[]): readonly [Flat, Flat] {
-  const beside = ({ u }: Flat) => slots.find(({ from, to }) => Math.abs((from + to) / 2 - u) <= NARROWER);
+  const beside = ({ u }: Flat) => slots.find(({ from, to }) => u >= from - NARROWER && u <= to + NARROWER);
   return [{ ...start, u: Math.min(start.u, beside(start)?.from ?? start.u) }, { ...end, u: Math.max(end.u, beside(end)?.to ?? end.u) }];
 }

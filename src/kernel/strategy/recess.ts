@@ -84,7 +84,10 @@ export function planRecess(l: Recess, setting: Setting): Plan {
 
   let division: Division = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
-    const deepest = lowest(kept.envelope, Math.max(span.from, room.from), Math.min(span.to, room.to));
+    // A tool that fits exactly may stand beyond an end by what is nothing.
+    const beyond = (apart: number) => (apart > 0 && apart <= SAME ? apart : 0);
+    const [low, high] = [span.from - beyond(span.from - kept.start.u), span.to + beyond(kept.end.u - span.to)];
+    const deepest = lowest(kept.envelope, Math.max(low, room.from), Math.min(high, room.to));
     const upper = Math.min(top, limits.ceiling);
     const depth = deepest > (l.free ? upper : opening) - SAME ? 0 : upper - deepest;
     const divided = divide(depth, limitedInfeed(l.infeed, tool, depth, issues), issues);
