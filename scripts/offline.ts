@@ -36,7 +36,7 @@ export function keptFiles(folder: string): readonly KeptFile[] {
 
 /** The value of a colour of the light page. */
 const colour = (name: string): string =>
-  new RegExp(`--${name}: (#[0-9a-f]{6});`).exec(readFileSync(join("src", "app", "styles", "tokens.css"), "utf8"))?.[1] ?? "";
+  new RegExp(`--${name}: (#[0-9a-f]{6});`).exec(readFileSync(join("src", "app", "base", "styles", "tokens.css"), "utf8"))?.[1] ?? "";
 
 const icon = (name: string, size: number, purpose: "any" | "maskable") => ({
   src: `icons/${name}-${size}.png`,
@@ -90,7 +90,7 @@ async function serviceWorker(root: string, files: readonly KeptFile[]): Promise<
       target: "es2023",
       modulePreload: false,
       rolldownOptions: {
-        input: join(root, "src", "app", "offline", "service-worker.ts"),
+        input: join(root, "src", "features", "offline", "service-worker.ts"),
         output: { format: "iife", entryFileNames: "sw.js", codeSplitting: false },
       },
     },

@@ -12,7 +12,7 @@ const rulesOf = (css: string, selector: string): string =>
 
 /** The colours by name, light, and dark where the system is. Only those that a text uses. */
 function colours(used: string): string {
-  const tokens = sheet("styles/tokens.css");
+  const tokens = sheet("base/styles/tokens.css");
   const of = (selector: string) =>
     rulesOf(tokens, selector).split(";").map((d) => d.trim()).filter((d) => used.includes(`var(${d.split(":")[0]})`)).join(";");
   return `:root{color-scheme:light dark;${of(":root")}}@media (prefers-color-scheme: dark){:root{${of(':root[data-theme="dark"]')}}}`;
@@ -23,6 +23,6 @@ export const styled = (css: string): string => (colours(css) + css.replace(/\/\*
 
 /** How the help picture is drawn, for an `svg` of that class. */
 export const helpRules = (): string =>
-  [...(sheet("help/help.css").split("@media")[0] ?? "").matchAll(/^\.help-picture (?:path|text|\.)[^{}]*\{[^{}]*\}/gm)].map(([rule]) =>
+  [...(sheet("pictures/help/help.css").split("@media")[0] ?? "").matchAll(/^\.help-picture (?:path|text|\.)[^{}]*\{[^{}]*\}/gm)].map(([rule]) =>
     rule
   ).filter((rule) => !/^\.help-picture \.(?:help-note|dimmed)/.test(rule)).join("\n");

@@ -34,7 +34,9 @@ export interface IsoFile {
 
 /** A Klartext program in DIN/ISO; its printer is fetched when it is first needed. */
 export async function isoFile(text: string): Promise<IsoFile> {
-  const [{ isoProgramText }, { parse }] = await untilHere(() => Promise.all([import("../../nc/iso/print-iso.ts"), import("../../nc/parse.ts")]));
+  const [{ isoProgramText }, { parse }] = await untilHere(() =>
+    Promise.all([import("../../nc/iso/print-iso.ts"), import("../../nc/parse.ts")])
+  );
   const made = isoProgramText(parse(text));
   return { text: made.text, kept: made.kept.map(({ number }) => number) };
 }

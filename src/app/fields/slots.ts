@@ -24,15 +24,14 @@ export const setupStartSlot = slot<Part<{ readonly cycle: Cycle; readonly surfac
   "starting values of a set-up",
 );
 export const newProgramSlot = slot<Part<Done>>("a new program");
-export const contourTableSlot = slot<Part<{
-  readonly rows: readonly ContourRow[];
-  readonly onChange: (rows: readonly ContourRow[], place: string | null) => void;
-  readonly language: Language;
-  readonly apart?: boolean;
-}>>("the table of a contour");
+export const contourTableSlot = slot<
+  Part<
+    { readonly rows: readonly ContourRow[]; readonly onChange: (rows: readonly ContourRow[], place: string | null) => void;
+      readonly language: Language; readonly apart?: boolean }
+  >
+>("the table of a contour");
 
 /** What opens tasks and results that came as files. */
-export const taughtFilesSlot = slot<{
-  readonly areTaught: (files: readonly File[]) => Promise<boolean>;
-  readonly openTaughtFiles: (files: readonly File[]) => Promise<void>;
-}>("files of tasks");
+export const taughtFilesSlot = slot<
+  { readonly areTaught: (files: readonly File[]) => Promise<boolean>; readonly openTaughtFiles: (files: readonly File[]) => Promise<void> }
+>("files of tasks");

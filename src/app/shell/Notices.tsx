@@ -33,7 +33,9 @@ export function Notices() {
     <p key={key} className="notice">
       <Icon name="info" /> <span>{text}</span>
       {(key === "notKept" || key === "storageFull") && <DownloadUnkept />}
-      <button type="button" className="button icon plain" aria-label={t.dismiss} onClick={() => (key === "damaged" ? dismissDamaged() : withdraw(key))}>
+      <button type="button" className="button icon plain" aria-label={t.dismiss}
+        onClick={() => (key === "damaged" ? dismissDamaged() : withdraw(key))}
+      >
         <Icon name="close" />
       </button>
     </p>

@@ -38,7 +38,9 @@ import { useProgramHost } from "./use-program-host.ts";
 import "../../features/own/own-block.css";
 import "../../features/editor/editor.css";
 
-const InsertOperation = lazyPart(async () => ({ default: (await import("../../features/editor/operations/InsertOperation.tsx")).InsertOperation }));
+const InsertOperation = lazyPart(async () => ({
+  default: (await import("../../features/editor/operations/InsertOperation.tsx")).InsertOperation,
+}));
 
 /** Keeps the editor of the open program for as long as it is open. */
 function useProgramSession(): void {

@@ -16,7 +16,8 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { encode, notIn } from "../../app/document/encoding.ts";
 import { downloadBytes } from "../../app/base/download.ts";
-import { editProgram, handOverText, openBlock, readWhole, sessionDom, sessionText, sessionView, useSession } from "../../app/fields/blocks/session.ts";
+import { editProgram, handOverText, openBlock, readWhole, sessionDom, sessionText, sessionView,
+  useSession } from "../../app/fields/blocks/session.ts";
 import { shownFile, showFile, useShownName } from "../../app/document/shown-file.ts";
 import { SaveButton } from "./SaveButton.tsx";
 import { SkipSwitch } from "./SkipSwitch.tsx";

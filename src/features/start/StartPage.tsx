@@ -92,9 +92,7 @@ export function StartPage({ course }: { readonly course: ReactNode }) {
         <h1>{words.title}</h1>
         <p className="soft">{words.lead}</p>
         <div className="course-place">
-          <Suspense>
-            {course}
-          </Suspense>
+          <Suspense>{course}</Suspense>
         </div>
       </div>
       <KeptWorks />

@@ -5,7 +5,8 @@ import type { Site } from "../../cycles/wanted.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { NumberField } from "../../app/fields/setup/NumberField.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { ASKED, canBePreturned, measuresOf, type Sought, type AskingFault, type Measure, type StockChoice } from "../../app/document/asking.ts";
+import { ASKED, canBePreturned, measuresOf, type Sought, type AskingFault, type Measure,
+  type StockChoice } from "../../app/document/asking.ts";
 
 const SITES = ["outside", "inside", "face"] as const satisfies readonly Site[];
 const SHAPES = ["step", "plunge", "free", "groove", "thread"] as const satisfies readonly TurnedShape[];

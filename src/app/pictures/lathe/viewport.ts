@@ -1,7 +1,8 @@
 import type { Patch } from "../../../view/material/pen.ts";
 import { holds as holdsOnScreen } from "../../base/use-media.ts";
 import { pageUnit } from "../../base/unit.ts";
-import { fitted, seenFrom, turnedOver, zoomed, type Bounds, type Camera, type Margin, type Place, type Size } from "../../../view/camera.ts";
+import { fitted, seenFrom, turnedOver, zoomed, type Bounds, type Camera, type Margin, type Place,
+  type Size } from "../../../view/camera.ts";
 
 /** Where the picture looks, shared by its layers. */
 export interface Viewport {

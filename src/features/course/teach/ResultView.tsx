@@ -6,7 +6,8 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useModal } from "../../../app/base/use-modal.ts";
 import { useGathered } from "../../../app/records/course/gathered.ts";
 import { addResults } from "./open-taught.ts";
-import { learnerCount, plainName, RESULT_COLUMNS, resultsCsv, resultRows, sortedRows, type ResultColumn } from "../../../app/records/course/result-rows.ts";
+import { learnerCount, plainName, RESULT_COLUMNS, resultsCsv, resultRows, sortedRows,
+  type ResultColumn } from "../../../app/records/course/result-rows.ts";
 import { LeftOut, ResultFiles } from "./ResultFiles.tsx";
 import { ResultTable, type ResultSort } from "./ResultTable.tsx";
 import { leaveTaught, type FileLeftOut } from "../../../app/records/course/taught-shown.ts";
