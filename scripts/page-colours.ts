@@ -23,6 +23,6 @@ export const styled = (css: string): string => (colours(css) + css.replace(/\/\*
 
 /** How the help picture is drawn, for an `svg` of that class. */
 export const helpRules = (): string =>
-  [...(sheet("pictures/help/help.css").split("@media")[0] ?? "").matchAll(/^\.help-picture (?:path|text|\.)[^{}]*\{[^{}]*\}/gm)].map(([rule]) =>
-    rule
+  [...(sheet("pictures/help/help.css").split("@media")[0] ?? "").matchAll(/^\.help-picture (?:path|text|\.)[^{}]*\{[^{}]*\}/gm)].map(
+    ([rule]) => rule
   ).filter((rule) => !/^\.help-picture \.(?:help-note|dimmed)/.test(rule)).join("\n");

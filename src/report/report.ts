@@ -1,5 +1,6 @@
 import { lengthsIn, type Lengths } from "../i18n/lengths.ts";
-import { measureOf, message } from "../i18n/message.ts";
+import { message } from "../i18n/message.ts";
+import { measureOf } from "../i18n/sentence.ts";
 import { printedLengths } from "../i18n/printed-lengths.ts";
 import { isLength } from "../i18n/write.ts";
 import type { Language } from "../i18n/languages.ts";

@@ -2,7 +2,7 @@ import { createContext, useCallback, useContext } from "react";
 import { cycleByNumber } from "../../cycles/index.ts";
 import type { Spoken } from "../../i18n/lengths.ts";
 import type { Texts } from "../../i18n/index.ts";
-import { messageIn } from "../../i18n/message.ts";
+import { messageIn } from "../../i18n/sentence.ts";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
 import type { RunFinding } from "../../program/run-types.ts";
 import { useLengths } from "./lengths.ts";
