@@ -9,12 +9,17 @@ import { showElsewhere } from "../place/elsewhere.ts";
 import { hideWhich } from "./which-place.ts";
 import { hideWorks, useWorksPlace } from "../place/works-place.ts";
 
-/** Shows the start page. What was open stays on the device, and undo opens it again. */
-export function goHome(): void {
+/** Leaves every page that stands over the work, so that the work is what is seen. */
+export function showOpenWork(): void {
   hideGuide();
   hideTools();
   hideOwn();
   hideWhich();
+}
+
+/** Shows the start page. What was open stays on the device, and undo opens it again. */
+export function goHome(): void {
+  showOpenWork();
   hideWorks();
   hideCourse();
   showElsewhere(null);

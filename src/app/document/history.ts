@@ -1,11 +1,12 @@
 import { draftOf } from "./edits.ts";
+import { showOpenWork } from "./go-home.ts";
 import { openPrompt, usePlace } from "../place/place.ts";
-import { hideOwn, showOwn } from "./own-place.ts";
+import { showOwn } from "./own-place.ts";
 import { useOwn } from "./own-store.ts";
 import { OF_WORKS } from "./of-works.ts";
 import { redo, undo, useSteps, type Steps } from "./steps.ts";
 import { useEditor } from "./store.ts";
-import { hideTools, showTools } from "./tool-place.ts";
+import { showTools } from "./tool-place.ts";
 import { useTools } from "./tool-store.ts";
 
 /** Goes one step through the history and shows what has changed: a row of the tools, a described cycle, or the work with the prompt. */
@@ -18,16 +19,17 @@ function goAndShow(way: keyof Steps, run: () => void): void {
   const described = useOwn.getState().list;
   if (described !== own) {
     const known = new Set(own);
+    showOpenWork();
     return showOwn(described.find((entry) => !known.has(entry))?.id);
   }
-  hideOwn();
   const [{ job: after }, { list }] = [useEditor.getState(), useTools.getState()];
   if (list !== tools) {
     const known = new Set(tools);
+    showOpenWork();
     showTools(list.find((entry) => !known.has(entry))?.id);
     return;
   }
-  hideTools();
+  showOpenWork();
   if (!before || !after || before === after || before.cycle !== after.cycle) return;
   const [now, then] = [draftOf(after), draftOf(before)];
   const changed = Object.keys({ ...now, ...then }).find((q) => (now[q] ?? "") !== (then[q] ?? ""));

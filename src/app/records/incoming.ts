@@ -1,9 +1,8 @@
 import { create } from "zustand";
-import { hideOwn } from "../document/own-place.ts";
+import { showOpenWork } from "../document/go-home.ts";
 import { usePlace } from "../place/place.ts";
 import type { ReadArchive } from "./archive.ts";
 import { startWork } from "./keep.ts";
-import { hideTools } from "../document/tool-place.ts";
 import type { Work } from "../document/work.ts";
 
 /** A work that came from elsewhere and waits for a word: nothing is opened before. */
@@ -29,8 +28,7 @@ export const leaveIncoming = (): void => useIncoming.setState({ incoming: null }
 /** Opens it as a work of its own; what was open stays on the device. */
 export function takeIncoming({ work }: Incoming): void {
   leaveIncoming();
-  hideTools();
-  hideOwn();
+  showOpenWork();
   usePlace.setState({ section: "prompts", prompt: null, field: null });
   startWork(work);
 }

@@ -3,11 +3,10 @@ import type { Job } from "../../../program/job.ts";
 import { startOfTask, toolsOfTask } from "../../../course/start-of.ts";
 import type { Task } from "../../../course/task.ts";
 import { draftOf } from "../../../app/document/edits.ts";
-import { hideOwn } from "../../../app/document/own-place.ts";
+import { showOpenWork } from "../../../app/document/go-home.ts";
 import { usePlace } from "../../../app/place/place.ts";
 import { openWork, refreshWorks, startWork, useKeeping } from "../../../app/records/keep.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import { hideTools } from "../../../app/document/tool-place.ts";
 import { isProgram, type Work } from "../../../app/document/work.ts";
 import { unfoldNext } from "./task-view.ts";
 
@@ -39,8 +38,7 @@ function firstToAnswer(job: Job): string | null {
 /** Begins a task anew, as a work of its own. */
 export function beginTaskAnew(task: Task, fromOutside = false): void {
   unfoldNext();
-  hideTools();
-  hideOwn();
+  showOpenWork();
   const work = workOfTask(task, fromOutside);
   startWork(work);
   const prompt = isProgram(work) ? null : firstToAnswer(work), before = isProgram(work) ? "" : (draftOf(work)[prompt ?? ""] ?? "");

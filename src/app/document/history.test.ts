@@ -1,0 +1,32 @@
+import { beforeEach, expect, test } from "vitest";
+import { cuttingCycles } from "../../cycles/index.ts";
+import { exampleJob } from "../../program/job.ts";
+import { setPrompt } from "./edits.ts";
+import { showGuide, useGuidePlace } from "../place/guide-place.ts";
+import { redoStep, undoStep } from "./history.ts";
+import { begin } from "./store.ts";
+import { showTools, useToolPlace } from "./tool-place.ts";
+import { showWhich, useWhichPlace } from "./which-place.ts";
+
+const [cycle] = cuttingCycles;
+if (!cycle) throw new Error("the catalogue is empty");
+const [q = ""] = Object.keys(cycle.params).filter((name) => !cycle.params[name]?.choices);
+
+beforeEach(() => begin(exampleJob(cycle), "work"));
+
+test.each([["undo", undoStep], ["redo", redoStep]] as const)("%s shows the work that it changes, whatever stood over it", (way, go) => {
+  setPrompt(q, "1");
+  if (way === "redo") undoStep();
+  showTools();
+  showGuide("guide", String(cycle.number), q);
+  showWhich();
+  go();
+  expect([useGuidePlace.getState().path, useToolPlace.getState().shown, useWhichPlace.getState().shown]).toEqual([null, false, false]);
+});
+
+test("with nothing to take back the page stays", () => {
+  begin(exampleJob(cycle), "other");
+  showGuide("guide", String(cycle.number), q);
+  redoStep();
+  expect(useGuidePlace.getState().path).not.toBeNull();
+});

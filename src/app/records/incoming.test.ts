@@ -1,0 +1,20 @@
+import { expect, test } from "vitest";
+import { cuttingCycles } from "../../cycles/index.ts";
+import { exampleJob } from "../../program/job.ts";
+import { showTools, useToolPlace } from "../document/tool-place.ts";
+import { useEditor } from "../document/store.ts";
+import { showGuide, useGuidePlace } from "../place/guide-place.ts";
+import { showIncoming, takeIncoming, useIncoming } from "./incoming.ts";
+
+const [cycle] = cuttingCycles;
+if (!cycle) throw new Error("the catalogue is empty");
+
+test("a work that was handed on is what is seen once it is taken, whatever page stood open", () => {
+  showTools();
+  showGuide("guide", String(cycle.number));
+  const work = { ...exampleJob(cycle), name: "HANDED ON" };
+  showIncoming({ work, from: "link" });
+  takeIncoming({ work, from: "link" });
+  expect([useGuidePlace.getState().path, useToolPlace.getState().shown, useIncoming.getState().incoming]).toEqual([null, false, null]);
+  expect(useEditor.getState().job?.name).toBe("HANDED ON");
+});
