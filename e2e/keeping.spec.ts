@@ -20,7 +20,7 @@ test("of two tabs on one work one has it: it is taken over with the last key, gi
   await first.start.beginWithExample(812);
   await first.dialog.set("Q493", "51");
   const second = Turnwise.at(await context.newPage());
-  await second.page.goto(".");
+  await second.page.goto("./");
   const button = (turnwise: Turnwise, name: string) => turnwise.page.getByRole("button", { name, exact: true });
   await expect(second.page.getByRole("heading", { name: /open in another tab/ })).toBeVisible();
 

@@ -138,7 +138,7 @@ export function page(): string {
 <svg class="help-picture" width="0" height="0" style="position: absolute" aria-hidden="true">${pictureHatches()}</svg>
 <header><h1>Gallery</h1>
 <p>Every cycle with its help picture, and ${works.length} programs of the tests as they run: part, stock that is left, path, verdict,
-passes and time. Our reading of the manuals; verify on your control. <a href=".">Turnwise</a></p>
+passes and time. Our reading of the manuals; verify on your control. <a href="./">Turnwise</a></p>
 <nav>${links}</nav></header>
 <main>${sections.join("\n")}</main></body></html>
 `;

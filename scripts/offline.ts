@@ -50,9 +50,9 @@ export function webManifest(language: Language): object {
   const t = { en, de, fr, zh }[language];
   const way = (name: string, address: string) => ({ name, url: `./#/${address}`, icons: [icon("icon", 192, "any")] });
   return {
-    id: ".",
-    start_url: ".",
-    scope: ".",
+    id: "./",
+    start_url: "./",
+    scope: "./",
     lang: language,
     dir: "ltr",
     name: t.product,

@@ -5,6 +5,7 @@ import { LANGUAGES } from "../src/i18n/languages.ts";
 import { message } from "../src/i18n/message.ts";
 import type { AnyCode, AnyIssue } from "../src/i18n/message-texts.ts";
 import { formatFixed, formatNumber, formatPosition, formatSigned } from "../src/i18n/number.ts";
+import { sources } from "./sources.ts";
 
 type DataOf<C extends AnyCode> = Extract<AnyIssue, { code: C }>["data"];
 
@@ -272,4 +273,17 @@ describe("numbers of a language", () => {
       { numRuns: 2000 },
     );
   });
+});
+
+/** A text that nobody shows is still translated, three times. */
+test("every text of the screen has a name that something else in the tree says", () => {
+  const isText = (path: string) => /^src\/i18n\/(?:en|de|fr|zh)\//.test(path);
+  const all = sources("src");
+  const said = new Set(all.filter(({ path }) => !isText(path)).flatMap(({ text }) => text.match(/[A-Za-z_]\w*/g) ?? []));
+  const english = all.filter(({ path }) => path.startsWith("src/i18n/en/") && !path.endsWith(".test.ts"));
+  const names = english.flatMap(({ path, text }) =>
+    [...text.matchAll(/^\s*([A-Za-z_]\w*):/gm)].map(([, name = ""]) => [path, name] as const)
+  );
+  expect(names.length).toBeGreaterThan(1000);
+  expect(names.filter(([, name]) => !/^M\d+$/.test(name) && !said.has(name)).map(([path, name]) => `${path}: ${name}`)).toEqual([]);
 });

@@ -94,7 +94,7 @@ export class Turnwise {
     const search = new URLSearchParams();
     if (heldClock !== false) search.set("clock", heldClock === true ? "manual" : heldClock);
     if (seed !== undefined) search.set("seed", String(seed));
-    await page.goto(search.size === 0 ? "." : `.?${search}`);
+    await page.goto(search.size === 0 ? "./" : `./?${search}`);
     const turnwise = new Turnwise(page, language);
     if (language !== "en") await new Turnwise(page, "en").settings.chooseLanguage(language);
     return turnwise;

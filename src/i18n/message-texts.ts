@@ -1,4 +1,4 @@
-import type { Issue, Reason, Severity } from "../kernel/issue.ts";
+import type { Issue, Reason } from "../kernel/issue.ts";
 import type { NcIssue } from "../nc/issue.ts";
 import type { ProgramIssue } from "../program/issue.ts";
 import type { Write } from "./write.ts";
@@ -11,7 +11,6 @@ export type AnyCode = AnyIssue["code"];
 export type Sentences = { readonly [C in AnyCode]: (data: Extract<AnyIssue, { code: C }>["data"], write: Write) => string };
 
 export interface MessagesTexts {
-  readonly severity: Readonly<Record<Severity, string>>;
   /** Why material stays, as it follows "left by". */
   readonly reasons: Readonly<Record<Reason, string>>;
   /** A place with the number of further ones, as it follows "at". */

@@ -69,12 +69,6 @@ export const contour = {
   zoomIn: "Vergrößern",
   zoomOut: "Verkleinern",
   fit: "Ganze Kontur zeigen",
-  drawHint: {
-    move: "Punkt ziehen; Doppelklick oder Halten teilt ein Element.",
-    draw: "Freie Stelle antippen: neuer Punkt; Element antippen: teilen.",
-    round: "Ecke ziehen: der Weg ist der Radius.",
-    chamfer: "Ecke ziehen: der Weg ist die Fase.",
-  },
   faults: "Was an der Kontur nicht stimmt",
   formOf: (element) => `Element ${element}, Form`,
   wordOf: (element, word) => `Element ${element}, ${word}`,

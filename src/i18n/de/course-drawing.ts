@@ -47,7 +47,6 @@ export const courseDrawing = {
     mark: "Rautiefe höchstens",
     blank: "Rohteil",
   },
-  atOne: (z: string) => `bei Z ${z}`,
   atTwo: (from: string, to: string) => `von Z ${from} bis Z ${to}`,
   atMany: (list: string) => `bei Z ${list}`,
   deviations: (upper: string, lower: string) => `Abmaße ${upper} und ${lower}`,

@@ -39,7 +39,6 @@ export const course = {
   next: "Weiter",
   toTasks: "Zu den Aufgaben",
   nextLesson: (n, title) => `Nächste Lektion: ${n}, ${title}`,
-  toTask: (title) => `Aufgabe „${title}“ beginnen`,
   example: "Beispiel im Editor öffnen",
   exampleLead: "Das Programm dieser Lektion, um Werte auszuprobieren. Ihre Arbeit bleibt; Zurück führt wieder hierher.",
   noTasksYet: "Diese Lektion hat keine Aufgaben.",
@@ -59,8 +58,6 @@ export const course = {
   },
 
   anew: "Kurs neu beginnen",
-  anewAsk: "Was im Kurs erreicht wurde, wird auf diesem Gerät vergessen. Ihre Programme bleiben.",
-  anewDo: "Neu beginnen",
   cancel: "Abbrechen",
   begunAnew: "Der Kurs beginnt neu. Rückgängig bringt das Erreichte zurück.",
   damaged: "Was im Kurs erreicht wurde, war nicht lesbar. Es wurde beiseitegelegt, der Kurs beginnt neu.",

@@ -40,8 +40,6 @@ export const dialog = {
     revolutions: "U",
     none: "",
   },
-  diameterMeaning: "Durchmessermaß",
-  radiusMeaning: "Radiusmaß",
   recalled: "Parameterliste aus der Erinnerung: an der Steuerung vergleichen.",
   evidence: {
     mark: "nicht bestätigt",

@@ -11,7 +11,6 @@ export const findings = {
   blockOf: (block, file) => `Satz ${block} von ${file}`,
   lineOf: (line, file) => `Zeile ${line} von ${file}`,
   goTo: (place) => `Zu ${place}`,
-  goToBlock: (block) => `Zu Satz ${block}`,
   show: (mark) => `${mark} in der Drehansicht zeigen`,
   places: { tool: "Werkzeug", startX: "Start X", startZ: "Start Z", contour: "Kontur", blank: "Rohteil", spindle: "Spindel" },
   fix: "Berichtigen",

@@ -111,7 +111,6 @@ export const lathe = {
   moves: (count) => `Bewegungen (${count})`,
   move: "Nr.",
   moveKind: "Art",
-  moveEnd: "Ziel",
   moveFeed: "Vorschub",
   movePhase: "Phase",
   moveBlock: "Satz",

@@ -35,7 +35,6 @@ const CLAMPED = {
 };
 
 export const messages = {
-  severity: { error: "Fehler", warning: "Warnung", info: "Hinweis" },
   reasons,
   morePlaces: (place, more) => `${place} und ${more === 1 ? "einer weiteren Stelle" : `${more} weiteren Stellen`}`,
   of: {

@@ -44,7 +44,6 @@ export const operations = {
   back: "Anderer Zyklus",
   choose: "wählen",
   which: "Welcher Zyklus?",
-  whichCycle: "Welcher Zyklus?",
   title: "Titel",
   titleHint: "Steht als Gliederungspunkt im Programm.",
   put: "Einfügen",

@@ -23,7 +23,6 @@ export const page = {
   gallery: "Galerie: jeder Zyklus und jedes Programm der Prüfungen, gezeichnet",
   disclaimer:
     "Nach den gedruckten Zyklenseiten gebaut; kein Produkt von HEIDENHAIN. Jedes Programm vor dem Zerspanen an der Steuerung prüfen.",
-  savedHere: "Auf diesem Gerät gespeichert",
 
   sections: "Teile des Programms",
   prompts: "Eingaben",
@@ -32,7 +31,6 @@ export const page = {
   program: "Programm",
   lathe: "Drehmaschine",
   timeline: "Zeitleiste",
-  helpPicture: "Hilfsbild",
 
   start: {
     which: "Welcher Zyklus?",

@@ -27,7 +27,6 @@ export const sheet: SheetTexts = {
     good: "Geprüft",
     dryRun: "In Turnwise mit den Werkzeugen dieses Blatts simuliert. Das ersetzt keinen Probelauf an der Maschine.",
   },
-  unreleased: "nicht freigegeben",
   head: { program: "Programm", file: "Datei", unit: "Einheit", blocks: "Sätze", time: "Zeit", date: "Gedruckt", control: "Steuerung" },
   inch: "Zoll (Werkzeuge in mm)",
   estimate: (time) => `etwa ${time}`,
@@ -117,7 +116,6 @@ export const sheet: SheetTexts = {
   totalNote: "ohne Werkzeugwechsel und Spannen",
 
   findings: "Befunde",
-  noFindings: "Keine Befunde.",
   more: (n) => `und ${n} weitere, siehe Befunde in Turnwise`,
   program: "Programm",
   signature: "Eingerichtet von, Datum",

@@ -69,12 +69,6 @@ export const contour = {
   zoomIn: "Zoom in",
   zoomOut: "Zoom out",
   fit: "Show the whole contour",
-  drawHint: {
-    move: "Drag a point; double-click or hold an element to divide it.",
-    draw: "Tap a free place to add a point, an element to divide it.",
-    round: "Drag a corner: the way is the radius.",
-    chamfer: "Drag a corner: the way is the chamfer.",
-  },
   faults: "What is wrong with the contour",
   formOf: (element: number) => `Element ${element}, form`,
   wordOf: (element: number, word: string) => `Element ${element}, ${word}`,

@@ -47,7 +47,6 @@ export const courseDrawing = {
     mark: "Roughness at most",
     blank: "Blank",
   },
-  atOne: (z: string) => `at Z ${z}`,
   atTwo: (from: string, to: string) => `from Z ${from} to Z ${to}`,
   atMany: (list: string) => `at Z ${list}`,
   deviations: (upper: string, lower: string) => `deviations ${upper} and ${lower}`,

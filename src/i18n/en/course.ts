@@ -39,7 +39,6 @@ export const course = {
   next: "Next",
   toTasks: "To the tasks",
   nextLesson: (n: string, title: string) => `Next lesson: ${n}, ${title}`,
-  toTask: (title: string) => `Begin the task “${title}”`,
   example: "Open the example in the editor",
   exampleLead: "The program of this lesson, to try values in. Your work is kept; Back leads here again.",
   noTasksYet: "This lesson has no tasks.",
@@ -59,8 +58,6 @@ export const course = {
   },
 
   anew: "Begin the course anew",
-  anewAsk: "What was reached in the course is forgotten on this device. Your programs stay.",
-  anewDo: "Begin anew",
   cancel: "Cancel",
   begunAnew: "The course begins anew. Undo brings back what was reached.",
   damaged: "What was reached in the course could not be read. It was set aside, and the course begins anew.",

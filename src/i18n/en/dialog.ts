@@ -40,8 +40,6 @@ export const dialog = {
     revolutions: "rev",
     none: "",
   },
-  diameterMeaning: "A diameter",
-  radiusMeaning: "On the radius",
   recalled: "Parameter list recalled: compare it on your control.",
   evidence: {
     mark: "not confirmed",

@@ -12,7 +12,6 @@ export const findings = {
   blockOf: (block: string, file: string) => `block ${block} of ${file}`,
   lineOf: (line: string, file: string) => `line ${line} of ${file}`,
   goTo: (place: string) => `Go to ${place}`,
-  goToBlock: (block: string) => `Go to block ${block}`,
   show: (mark: string) => `Show ${mark} in the lathe view`,
   places: { tool: "Tool", startX: "Start X", startZ: "Start Z", contour: "Contour", blank: "Blank", spindle: "Spindle" },
   fix: "Correct it",

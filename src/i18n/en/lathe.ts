@@ -118,7 +118,6 @@ export const lathe = {
   moves: (count: string) => `Moves (${count})`,
   move: "Move",
   moveKind: "Kind",
-  moveEnd: "To",
   moveFeed: "Feed",
   movePhase: "Phase",
   moveBlock: "Block",

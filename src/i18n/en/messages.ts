@@ -37,7 +37,6 @@ const CLAMPED = {
 };
 
 export const messages = {
-  severity: { error: "Error", warning: "Warning", info: "Note" },
   reasons,
   morePlaces: (place, more) => `${place} and ${more} more ${more === 1 ? "place" : "places"}`,
   of: {

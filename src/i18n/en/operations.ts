@@ -45,7 +45,6 @@ export const operations = {
   back: "Other cycle",
   choose: "choose",
   which: "Which cycle?",
-  whichCycle: "Which cycle?",
   title: "Title",
   titleHint: "Stands as a structure comment in the program.",
   put: "Insert",

@@ -22,7 +22,6 @@ export const page = {
   motions: { system: "As the system", reduced: "None" },
   gallery: "Gallery: every cycle and every program of the tests, drawn",
   disclaimer: "Built from the printed cycle pages; not a HEIDENHAIN product. Prove every program on your control before cutting.",
-  savedHere: "Saved on this device",
 
   sections: "Parts of the program",
   prompts: "Prompts",
@@ -31,7 +30,6 @@ export const page = {
   program: "Program",
   lathe: "Lathe",
   timeline: "Timeline",
-  helpPicture: "Help picture",
 
   start: {
     which: "Which cycle?",

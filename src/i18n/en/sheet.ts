@@ -29,7 +29,6 @@ export const sheet = {
     good: "Proved",
     dryRun: "Simulated in Turnwise with the tools of this sheet. It is no substitute for a dry run on the machine.",
   },
-  unreleased: "not released",
   head: { program: "Program", file: "File", unit: "Unit", blocks: "Blocks", time: "Time", date: "Printed", control: "Control" },
   inch: "inch (tools in mm)",
   estimate: (time: string) => `about ${time}`,
@@ -119,7 +118,6 @@ export const sheet = {
   totalNote: "without tool changes and loading",
 
   findings: "What was found",
-  noFindings: "Nothing was found.",
   more: (n: number) => `and ${n} more, see the findings in Turnwise`,
   program: "Program",
   signature: "Set up by, date",

@@ -69,12 +69,6 @@ export const contour = {
   zoomIn: "Agrandir",
   zoomOut: "Réduire",
   fit: "Montrer tout le contour",
-  drawHint: {
-    move: "Tirer un point ; double-clic ou appui long divise un élément.",
-    draw: "Toucher un endroit libre pour ajouter un point, un élément pour le diviser.",
-    round: "Tirer un angle : la distance est le rayon.",
-    chamfer: "Tirer un angle : la distance est le chanfrein.",
-  },
   faults: "Ce qui ne va pas dans le contour",
   formOf: (element) => `Élément ${element}, forme`,
   wordOf: (element, word) => `Élément ${element}, ${word}`,

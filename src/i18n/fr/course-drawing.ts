@@ -47,7 +47,6 @@ export const courseDrawing = {
     mark: "Rugosité maximale",
     blank: "Brut",
   },
-  atOne: (z: string) => `à Z ${z}`,
   atTwo: (from: string, to: string) => `de Z ${from} à Z ${to}`,
   atMany: (list: string) => `à Z ${list}`,
   deviations: (upper: string, lower: string) => `écarts ${upper} et ${lower}`,

@@ -38,7 +38,6 @@ export const course = {
   next: "Suite",
   toTasks: "Aux exercices",
   nextLesson: (n, title) => `Leçon suivante : ${n}, ${title}`,
-  toTask: (title) => `Commencer l’exercice « ${title} »`,
   example: "Ouvrir l’exemple dans l’éditeur",
   exampleLead: "Le programme de cette leçon, pour essayer des valeurs. Votre travail est conservé ; Retour ramène ici.",
   noTasksYet: "Cette leçon n’a pas d’exercice.",
@@ -58,8 +57,6 @@ export const course = {
   },
 
   anew: "Recommencer le cours",
-  anewAsk: "Ce qui a été atteint dans le cours est oublié sur cet appareil. Vos programmes restent.",
-  anewDo: "Recommencer",
   cancel: "Annuler",
   begunAnew: "Le cours recommence. Annuler ramène ce qui avait été atteint.",
   damaged: "Ce qui a été atteint dans le cours n’a pas pu être lu. Cela a été mis de côté et le cours recommence.",

@@ -40,8 +40,6 @@ export const dialog = {
     revolutions: "tr",
     none: "",
   },
-  diameterMeaning: "Cote au diamètre",
-  radiusMeaning: "Cote au rayon",
   recalled: "Liste des paramètres citée de mémoire : à comparer sur la commande.",
   evidence: {
     mark: "non confirmé",

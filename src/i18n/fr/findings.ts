@@ -11,7 +11,6 @@ export const findings = {
   blockOf: (block, file) => `séquence ${block} de ${file}`,
   lineOf: (line, file) => `ligne ${line} de ${file}`,
   goTo: (place) => `Aller à ${place}`,
-  goToBlock: (block) => `Aller à la séquence ${block}`,
   show: (mark) => `Montrer ${mark} dans la vue du tour`,
   places: { tool: "Outil", startX: "Départ X", startZ: "Départ Z", contour: "Contour", blank: "Brut", spindle: "Broche" },
   fix: "Corriger",

@@ -111,7 +111,6 @@ export const lathe = {
   moves: (count) => `Déplacements (${count})`,
   move: "N°",
   moveKind: "Type",
-  moveEnd: "Vers",
   moveFeed: "Avance",
   movePhase: "Phase",
   moveBlock: "Séquence",

@@ -36,7 +36,6 @@ const CLAMPED = {
 };
 
 export const messages = {
-  severity: { error: "Erreur", warning: "Avertissement", info: "Remarque" },
   reasons,
   morePlaces: (place, more) => `${place} et à ${more === 1 ? "un autre endroit" : `${more} autres endroits`}`,
   of: {

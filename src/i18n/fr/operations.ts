@@ -44,7 +44,6 @@ export const operations = {
   back: "Autre cycle",
   choose: "choisir",
   which: "Quel cycle ?",
-  whichCycle: "Quel cycle ?",
   title: "Titre",
   titleHint: "Figure dans le programme comme séquence d’articulation.",
   put: "Insérer",

@@ -23,7 +23,6 @@ export const page = {
   gallery: "Galerie : tous les cycles et les programmes des tests, dessinés",
   disclaimer: "Établi d’après les pages imprimées des cycles ; ce n’est pas un produit HEIDENHAIN. Vérifier chaque programme sur la "
     + "commande avant d’usiner.",
-  savedHere: "Enregistré sur cet appareil",
 
   sections: "Parties du programme",
   prompts: "Dialogue",
@@ -32,7 +31,6 @@ export const page = {
   program: "Programme",
   lathe: "Tour",
   timeline: "Chronologie",
-  helpPicture: "Figure d’aide",
 
   start: {
     which: "Quel cycle ?",

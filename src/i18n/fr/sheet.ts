@@ -27,7 +27,6 @@ export const sheet: SheetTexts = {
     good: "Vérifié",
     dryRun: "Simulé dans Turnwise avec les outils de cette fiche. Cela ne remplace pas un essai à vide sur la machine.",
   },
-  unreleased: "non validé",
   head: {
     program: "Programme",
     file: "Fichier",
@@ -125,7 +124,6 @@ export const sheet: SheetTexts = {
   totalNote: "sans changements d’outil ni chargement",
 
   findings: "Constats",
-  noFindings: "Aucun constat.",
   more: (n) => `et ${n} de plus, voir les constats dans Turnwise`,
   program: "Programme",
   signature: "Réglé par, date",

@@ -60,12 +60,6 @@ export const contour = {
   zoomIn: "放大",
   zoomOut: "缩小",
   fit: "显示整个轮廓",
-  drawHint: {
-    move: "拖动点；双击或长按元素可分割。",
-    draw: "点击空白处添加点，点击元素可分割。",
-    round: "拖动拐角：距离即半径。",
-    chamfer: "拖动拐角：距离即倒角。",
-  },
   faults: "轮廓中的问题",
   formOf: (element) => `元素 ${element}，形式`,
   wordOf: (element, word) => `元素 ${element}，${word}`,

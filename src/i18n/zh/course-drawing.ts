@@ -47,7 +47,6 @@ export const courseDrawing = {
     mark: "粗糙度上限",
     blank: "毛坯",
   },
-  atOne: (z: string) => `Z ${z} 处`,
   atTwo: (from: string, to: string) => `Z ${from} 至 Z ${to}`,
   atMany: (list: string) => `Z ${list} 处`,
   deviations: (upper: string, lower: string) => `偏差 ${upper} 与 ${lower}`,

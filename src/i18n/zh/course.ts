@@ -37,7 +37,6 @@ export const course = {
   next: "下一页",
   toTasks: "去做练习",
   nextLesson: (n, title) => `下一课：第 ${n} 课，${title}`,
-  toTask: (title) => `开始练习“${title}”`,
   example: "在编辑器中打开示例",
   exampleLead: "本课的程序，可以随意改值试验。您的工作会保留；后退即可回到这里。",
   noTasksYet: "本课没有练习。",
@@ -57,8 +56,6 @@ export const course = {
   },
 
   anew: "重新开始课程",
-  anewAsk: "本设备上的课程进度将被清除，您的程序会保留。",
-  anewDo: "重新开始",
   cancel: "取消",
   begunAnew: "课程重新开始。撤销可恢复原来的进度。",
   damaged: "课程进度无法读取，已另行保存，课程重新开始。",

@@ -39,8 +39,6 @@ export const dialog = {
     revolutions: "转",
     none: "",
   },
-  diameterMeaning: "直径值",
-  radiusMeaning: "半径值",
   recalled: "参数表凭记忆整理：请与您的数控系统核对。",
   evidence: {
     mark: "未证实",

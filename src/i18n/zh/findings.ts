@@ -11,7 +11,6 @@ export const findings = {
   blockOf: (block, file) => `${file}的程序段${block}`,
   lineOf: (line, file) => `${file}的第${line}行`,
   goTo: (place) => `转到 ${place}`,
-  goToBlock: (block) => `转到程序段 ${block}`,
   show: (mark) => `在车削视图中显示 ${mark}`,
   places: { tool: "刀具", startX: "起点 X", startZ: "起点 Z", contour: "轮廓", blank: "毛坯", spindle: "主轴" },
   fix: "改正",

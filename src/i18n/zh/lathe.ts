@@ -103,7 +103,6 @@ export const lathe = {
   moves: (count) => `运动（${count}）`,
   move: "序号",
   moveKind: "类型",
-  moveEnd: "终点",
   moveFeed: "进给",
   movePhase: "阶段",
   moveBlock: "程序段",

@@ -35,7 +35,6 @@ const CLAMPED = {
 };
 
 export const messages = {
-  severity: { error: "错误", warning: "警告", info: "提示" },
   reasons,
   morePlaces: (place, more) => `${place}（另有${more}处同类）`,
   of: {

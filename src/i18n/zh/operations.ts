@@ -44,7 +44,6 @@ export const operations = {
   back: "换循环",
   choose: "选择",
   which: "用哪个循环？",
-  whichCycle: "用哪个循环？",
   title: "标题",
   titleHint: "作为结构注释写入程序。",
   put: "插入",

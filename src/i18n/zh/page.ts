@@ -22,7 +22,6 @@ export const page = {
   motions: { system: "跟随系统", reduced: "无" },
   gallery: "图库：所有循环和测试程序的图形",
   disclaimer: "依据印刷版循环手册编写，非海德汉产品。切削前请在数控系统上验证每个程序。",
-  savedHere: "已保存在本设备",
 
   sections: "程序各部分",
   prompts: "对话",
@@ -31,7 +30,6 @@ export const page = {
   program: "程序",
   lathe: "车床",
   timeline: "时间轴",
-  helpPicture: "帮助图",
 
   start: {
     which: "用哪个循环？",

@@ -27,7 +27,6 @@ export const sheet: SheetTexts = {
     good: "已验证",
     dryRun: "已在 Turnwise 中用本单所列刀具仿真，不能代替机床上的空运行。",
   },
-  unreleased: "未放行",
   head: { program: "程序", file: "文件", unit: "单位", blocks: "程序段", time: "时间", date: "打印", control: "数控系统" },
   inch: "英寸（刀具为 mm）",
   estimate: (time) => `约 ${time}`,
@@ -117,7 +116,6 @@ export const sheet: SheetTexts = {
   totalNote: "不含换刀和装夹",
 
   findings: "检查结果",
-  noFindings: "没有发现问题。",
   more: (n) => `另有 ${n} 条，见 Turnwise 的检查结果`,
   program: "程序",
   signature: "调机人、日期",

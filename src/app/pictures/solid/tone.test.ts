@@ -5,7 +5,7 @@ import { describe, expect, test } from "vitest";
 import { groundOf } from "./finish-material.ts";
 import { chuckTones, LIGHT, toned } from "./tone.ts";
 
-const sheet = readFileSync(join("src", "app", "styles", "tokens.css"), "utf8");
+const sheet = readFileSync(join("src", "app", "base", "styles", "tokens.css"), "utf8");
 /** The colours of an appearance: dark ones stand below light ones. */
 function tokensOf(theme: "light" | "dark"): (name: string) => string {
   const from = theme === "light" ? 0 : sheet.indexOf(':root[data-theme="dark"]');
