@@ -212,6 +212,9 @@ test("the page does not fetch the grammar of files", () => {
   expect(users.filter((s) => layerOf(s.path) !== "control-file").map((s) => s.path)).toEqual([]);
 });
 
+/** How many variables of modules may change. */
+const MOST_STATE = 68;
+
 describe("what is nowhere", () => {
   const bans: [string, RegExp, (path: string) => boolean][] = [
     ["eval of any kind", /\beval\s*\(|new Function\s*\(/, () => true],
@@ -271,6 +274,14 @@ test("no exported name means two things", () => {
     for (const [, name = ""] of text.matchAll(/^export (?:const|function|class|interface|type) (\w+)/gm))
       owners.set(name, [...(owners.get(name) ?? []), path]);
   expect([...owners].filter(([, paths]) => paths.length > 1)).toEqual([]);
+});
+
+/** Module-level state of the page that changes. Each is a store of its own that nobody sees: there may be fewer, and no more. */
+test("module-level state does not grow", () => {
+  const held = all.filter((s) => PAGE.includes(layerOf(s.path)) && !/\.test\.tsx?$/.test(s.path)).flatMap((s) =>
+    code(s.text).split("\n").filter((line) => line.startsWith("let ")).map((line) => `${s.path}: ${line}`)
+  );
+  expect(held.length).toBeLessThanOrEqual(MOST_STATE);
 });
 
 describe("packages", () => {
