@@ -50,38 +50,6 @@ describe("who may import whom", () => {
   });
 });
 
-/** Rooms of the page from the ground up: each imports those below it, and of features none another one. */
-const ROOMS = ["base", "place", "document", "calculation", "records", "findings", "pictures", "fields", "features", "shell"];
-
-describe("rooms of the page", () => {
-  /** The room of a file, and the feature; null outside the page. */
-  const placeOf = (path: string) => {
-    const [, layer = "", name = ""] = path.split("/");
-    if (!PAGE.includes(layer)) return null;
-    return { floor: ROOMS.indexOf(layer === "features" ? layer : name), feature: layer === "features" ? name : null };
-  };
-  /** Tests may look at a room through those above it. */
-  const inPage = all.filter((s) => placeOf(s.path) && !/\.test\.tsx?$/.test(s.path));
-
-  test("every file of the page stands in a room", () => {
-    expect(inPage.filter((s) => placeOf(s.path)?.floor === -1).map((s) => s.path)).toEqual([]);
-    expect(inPage.length).toBeGreaterThan(500);
-  });
-
-  test.each(ROOMS)("%s imports downwards only", (room) => {
-    const wrong = inPage.flatMap((s) => {
-      const here = placeOf(s.path);
-      if (!here || ROOMS[here.floor] !== room) return [];
-      return s.imports.flatMap(({ target }) => {
-        const there = placeOf(target);
-        const isBelow = !there || there.floor < here.floor || (there.floor === here.floor && there.feature === here.feature);
-        return isBelow ? [] : [`${s.path} → ${target}`];
-      });
-    });
-    expect(wrong).toEqual([]);
-  });
-});
-
 /** A name of a place across the axis or of a diameter. Radii of arcs, noses and cutters are lengths and may be doubled. */
 const ACROSS = String.raw`\b(?:[xXrR]|(?<!\.)radius|diameter|[a-z]\w*Diameter|outside|bore|Q4[89][13])\b`;
 const TWO = String.raw`(?:2(?:\.0*)?|0?\.50*)(?![\d.])`;
@@ -212,9 +180,6 @@ test("the page does not fetch the grammar of files", () => {
   expect(users.filter((s) => layerOf(s.path) !== "control-file").map((s) => s.path)).toEqual([]);
 });
 
-/** How many variables of modules may change. */
-const MOST_STATE = 68;
-
 describe("what is nowhere", () => {
   const bans: [string, RegExp, (path: string) => boolean][] = [
     ["eval of any kind", /\beval\s*\(|new Function\s*\(/, () => true],
@@ -274,14 +239,6 @@ test("no exported name means two things", () => {
     for (const [, name = ""] of text.matchAll(/^export (?:const|function|class|interface|type) (\w+)/gm))
       owners.set(name, [...(owners.get(name) ?? []), path]);
   expect([...owners].filter(([, paths]) => paths.length > 1)).toEqual([]);
-});
-
-/** Module-level state of the page that changes. Each is a store of its own that nobody sees: there may be fewer, and no more. */
-test("module-level state does not grow", () => {
-  const held = all.filter((s) => PAGE.includes(layerOf(s.path)) && !/\.test\.tsx?$/.test(s.path)).flatMap((s) =>
-    code(s.text).split("\n").filter((line) => line.startsWith("let ")).map((line) => `${s.path}: ${line}`)
-  );
-  expect(held.length).toBeLessThanOrEqual(MOST_STATE);
 });
 
 describe("packages", () => {
