@@ -20,9 +20,9 @@ const [SHARE, LEAST] = [0.4, 5];
 
 /**
  * How far what is missing lies from what is typed, in such lengths, with the direction of the example or against it; far where a wall that
- * leans needs the room.
+ * leans needs the room, and near where it would take too much of it.
  */
-const WAYS = [1, 0.73, -1, -0.61, 2.9, 11.3, -3.1, -9.7] as const;
+const WAYS = [1, 0.73, -1, -0.61, 2.9, 11.3, -3.1, -9.7, 0.29, -0.23] as const;
 
 /**
  * How much longer than wide the rest is, one after the other: a wall that leans far fits only into what is long, or short. Below zero it

@@ -90,7 +90,7 @@ test("one changed value of a cycle is that difference and no other", () => {
     if (!place || places.filter(({ i, q }) => i === place.i && q === place.q).length > 1) return;
     const to = Number((place.value + 0.37).toFixed(4));
     const raw = program.blocks[place.i]?.raw ?? "";
-    const changed = raw.replace(new RegExp(String.raw`(?<![A-Z\d])(${place.q}\s*=?\s*)[+-]?[\d.,]+`), `$1${to}`);
+    const changed = raw.replace(new RegExp(String.raw`(?<![A-Z\d])(${place.q}\s*=?\s*)[+-]?[\d.,]+`), `$1${to < 0 ? "" : "+"}${to}`);
     const other = program.blocks.map((block, i) => (i === place.i ? changed : block.raw)).join("");
     const words = [{ name: place.q, from: String(place.value), to: String(to) }];
     expect(inMeaning(text, other)).toEqual([{ kind: "changed", a: place.i, b: place.i, words }]);
