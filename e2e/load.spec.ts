@@ -3,7 +3,7 @@ import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
 /** Compressed JavaScript of the first load, kB of 1000 bytes. */
-const LIMIT = 150;
+const LIMIT = 155;
 
 test("the first load is small, and asks no other host", async ({ page, baseURL }) => {
   const scripts: Promise<number>[] = [];

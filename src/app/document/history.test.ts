@@ -10,7 +10,7 @@ import { showWhich, useWhichPlace } from "./which-place.ts";
 
 const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
-const [q = ""] = Object.keys(cycle.params).filter((name) => !cycle.params[name]?.choices);
+const [q = "", other = ""] = Object.keys(cycle.params).filter((name) => !cycle.params[name]?.choices);
 
 beforeEach(() => begin(exampleJob(cycle), "work"));
 
@@ -18,10 +18,17 @@ test.each([["undo", undoStep], ["redo", redoStep]] as const)("%s shows the work 
   setPrompt(q, "1");
   if (way === "redo") undoStep();
   showTools();
-  showGuide("guide", String(cycle.number), q);
+  showGuide("guide", String(cycle.number), other);
   showWhich();
   go();
   expect([useGuidePlace.getState().path, useToolPlace.getState().shown, useWhichPlace.getState().shown]).toEqual([null, false, false]);
+});
+
+test("the page of the parameter itself stays: the change is seen there", () => {
+  setPrompt(q, "1");
+  showGuide("guide", String(cycle.number), q);
+  undoStep();
+  expect(useGuidePlace.getState().path).toEqual(["guide", String(cycle.number), q]);
 });
 
 test("with nothing to take back the page stays", () => {

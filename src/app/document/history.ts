@@ -1,5 +1,6 @@
 import { draftOf } from "./edits.ts";
 import { showOpenWork } from "./go-home.ts";
+import { useGuidePlace } from "../place/guide-place.ts";
 import { openPrompt, usePlace } from "../place/place.ts";
 import { showOwn } from "./own-place.ts";
 import { useOwn } from "./own-store.ts";
@@ -29,11 +30,13 @@ function goAndShow(way: keyof Steps, run: () => void): void {
     showTools(list.find((entry) => !known.has(entry))?.id);
     return;
   }
+  const [now, then] = [after && draftOf(after), before && draftOf(before)];
+  const isSameWork = now && then && after !== before && after?.cycle === before?.cycle;
+  const changed = isSameWork ? Object.keys({ ...now, ...then }).find((q) => (now[q] ?? "") !== (then[q] ?? "")) : undefined;
+  // The page of a parameter shows its value: there the change is seen.
+  if (changed !== undefined && useGuidePlace.getState().path?.includes(changed)) return;
   showOpenWork();
-  if (!before || !after || before === after || before.cycle !== after.cycle) return;
-  const [now, then] = [draftOf(after), draftOf(before)];
-  const changed = Object.keys({ ...now, ...then }).find((q) => (now[q] ?? "") !== (then[q] ?? ""));
-  if (changed !== undefined && usePlace.getState().section === "prompts") openPrompt(changed, now[changed] ?? "");
+  if (changed !== undefined && usePlace.getState().section === "prompts") openPrompt(changed, now?.[changed] ?? "");
 }
 
 /** One step back, whatever was changed last. */
