@@ -55,7 +55,7 @@ test.each([["en", "X⌀40 Z-5 and 1 more place"], ["de", "X⌀40 Z-5 und einer w
   },
 );
 
-test("the report of a thread lists what stays between its grooves once", () => {
+test("the report of a thread lists the residue between its grooves once", () => {
   const text = printJob(exampleJob(cycleByNumber(832) as never), ncLabels("en"));
   const ran = run(parse(text), { tools: shippedTools, rapid: 10_000 });
   const checked = { file: "t.h", run: ran, simulation: simulate(ran), milliseconds: { parse: 0, plan: 0, simulate: 0 } };

@@ -37,7 +37,7 @@ export interface FindingEntry {
   readonly spot: FindingSpot | null;
   /** Index into the proof's residue, for what stays. */
   readonly residual: number | null;
-  /** Diameter of the largest circle in what stays, in all places of the finding, mm. */
+  /** Diameter of the largest circle in the residue, in all places of the finding, mm. */
   readonly thickness: number | null;
 }
 

@@ -9,12 +9,12 @@ import { showIncoming, takeIncoming, useIncoming } from "./incoming.ts";
 const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
 
-test("a work that was handed on is what is seen once it is taken, whatever page stood open", () => {
+test("a received work is what is seen once it is taken, whatever page stood open", () => {
   showTools();
   showGuide("guide", String(cycle.number));
-  const work = { ...exampleJob(cycle), name: "HANDED ON" };
+  const work = { ...exampleJob(cycle), name: "RECEIVED" };
   showIncoming({ work, from: "link" });
   takeIncoming({ work, from: "link" });
   expect([useGuidePlace.getState().path, useToolPlace.getState().shown, useIncoming.getState().incoming]).toEqual([null, false, null]);
-  expect(useEditor.getState().job?.name).toBe("HANDED ON");
+  expect(useEditor.getState().job?.name).toBe("RECEIVED");
 });

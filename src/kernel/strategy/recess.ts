@@ -86,8 +86,8 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   if (l.operation === 0 || l.operation === 1) {
     // A tool that fits exactly may stand beyond an end by what is nothing.
     const beyond = (apart: number) => (apart > 0 && apart <= SAME ? apart : 0);
-    const [low, high] = [span.from - beyond(span.from - kept.start.u), span.to + beyond(kept.end.u - span.to)];
-    const deepest = lowest(kept.envelope, Math.max(low, room.from), Math.min(high, room.to));
+    const [left, right] = [span.from - beyond(span.from - kept.start.u), span.to + beyond(kept.end.u - span.to)];
+    const deepest = lowest(kept.envelope, Math.max(left, room.from), Math.min(right, room.to));
     const upper = Math.min(top, limits.ceiling);
     const depth = deepest > (l.free ? upper : opening) - SAME ? 0 : upper - deepest;
     const divided = divide(depth, limitedInfeed(l.infeed, tool, depth, issues), issues);
