@@ -1,7 +1,7 @@
 import fc from "fast-check";
 
 /**
- * Random cases are new on every run; the run draws its seed once (vite.config.ts) and prints it, and LAW_SEED=number repeats it. A law
+ * The cases of the laws are drawn from a seed that stays the same (vite.config.ts); LAW_SEED=number draws others. A law
  * ends at its first failure and names that case: the smallest one of a set-up or a program may take longer to find than all tests
  * together. LAW_SHRINK=1 looks for it. Nothing ends a law by the time: either all its cases were tried, or one has failed.
  */

@@ -36,20 +36,23 @@ export function withSlots(e: Envelope, slim: Envelope, slots: readonly Interval[
 }
 
 /**
- * The slot in the middle of each channel: between two walls that the slim tool passes, no farther apart than the difference, and the tool
+ * The slot where each channel is deepest: between two walls that the slim tool passes, no farther apart than the difference, and the tool
  * does not. It reaches to where the tool itself comes deepest beside it, so that no wall is left in between.
  */
 export function channelsOf(e: Envelope, slim: Envelope): Interval[] {
   const found: Interval[] = [];
   for (let i = 1; i < slim.length - 1; i += 1) {
     const [before, from] = [slim[i - 1] as Span, (slim[i] as Span).u0];
-    let low = Infinity;
+    const places: Flat[] = [];
     for (let j = i; j < slim.length - 1; j += 1) {
       const [{ piece, u0, u1 }, after] = [slim[j] as Span, slim[j + 1] as Span];
       if (u1 - from > 2 * NARROWER) break;
-      low = Math.min(low, valueAt(piece, u0), valueAt(piece, (u0 + u1) / 2), valueAt(piece, u1));
+      places.push(...[u0, (u0 + u1) / 2, u1].map((u) => ({ u, v: valueAt(piece, u) })));
+      const low = Math.min(...places.map((p) => p.v));
       if (Math.min(valueAt(before.piece, before.u1), valueAt(after.piece, after.u0)) <= low + SAME) continue;
-      const middle = (from + u1) / 2;
+      // One wall may lean: the floor is not in the middle then.
+      const floor = places.filter((p) => p.v <= low + SAME).map((p) => p.u);
+      const middle = (Math.min(...floor) + Math.max(...floor)) / 2;
       const high = heightAt(e, middle);
       if (high > low + SAME) {
         const [a, b] = [middle - SLOT / 2, middle + SLOT / 2];

@@ -12,12 +12,18 @@ export interface Division {
 export const MOST_PASSES = 2000;
 
 /**
- * Divides `depth` mm into equal infeeds of at most `most` mm; 0 means one pass. A depth of exactly k infeeds gives k
- * passes, whatever rounding says (decision "Infeed"). Null when there would be too many, with the issue that says so.
+ * Into how many equal parts a length (mm) goes that are at most `most` mm long each. A length of exactly k such parts is k of them,
+ * whatever rounding says; one that is longer by a step of the control is one more.
+ */
+export const partsOf = (whole: number, most: number): number => Math.max(1, Math.ceil((whole - SAME * Math.min(1, most)) / most));
+
+/**
+ * Divides `depth` mm into equal infeeds of at most `most` mm; 0 means one pass (decision "Infeed"). Null when there would
+ * be too many, with the issue that says so.
  */
 export function divide(depth: number, most: number, issues: Issue[]): Division | null {
   if (!(depth > SAME)) return { passes: 0, infeed: 0 };
-  const passes = most > 0 ? Math.max(1, Math.ceil(depth / most - SAME)) : 1;
+  const passes = most > 0 ? partsOf(depth, most) : 1;
   if (passes <= MOST_PASSES) return { passes, infeed: depth / passes };
   const nearest = Math.ceil((depth / MOST_PASSES) * 1000 - SAME) / 1000;
   issues.push(issue("tooManyPasses", "error", { passes, most: MOST_PASSES, nearest }, "infeed"));

@@ -4,6 +4,7 @@ import { SAME } from "../tolerance.ts";
 import type { Purpose } from "../track.ts";
 import type { Basin } from "./basins.ts";
 import type { Ground } from "./ground.ts";
+import { partsOf } from "./infeed.ts";
 import type { Cutter } from "./link.ts";
 import { reachOfStep, type Places, type Spacing } from "./plunge-places.ts";
 import { liftUnder } from "./valley.ts";
@@ -44,7 +45,7 @@ const LEFT = 0.02;
 const p = (step: number, pass?: number): Purpose => ({ phase: "rough", run: "rough", step, ...(pass !== undefined && { pass }) });
 
 /** How many bites a plunge takes. */
-export const bitesOf = (depth: number, bite: number): number => (bite > 0 ? Math.max(1, Math.ceil(depth / bite - SAME)) : 1);
+export const bitesOf = (depth: number, bite: number): number => (bite > 0 ? partsOf(depth, bite) : 1);
 
 /** The bites that were taken, and the deepest of them, mm. */
 export interface Bites {

@@ -2,6 +2,7 @@ import { heightAt, type Envelope } from "../envelope.ts";
 import type { Flat } from "../flat.ts";
 import { SAME } from "../tolerance.ts";
 import type { Basin } from "./basins.ts";
+import { partsOf } from "./infeed.ts";
 
 /** How plunges lie side by side, mm. */
 export interface Spacing {
@@ -41,7 +42,7 @@ export function placesIn(basin: Basin, e: Envelope, s: Spacing): Places {
     const before = ends[i - 1];
     if (before !== undefined) {
       const apart = u - before;
-      const least = Math.max(1, Math.ceil(apart / most - SAME));
+      const least = partsOf(apart, most);
       const count = s.comb && least > 1 ? least + (least % 2) : least;
       for (let k = 1; k < count; k += 1) {
         const between = before + (apart * k) / count;
