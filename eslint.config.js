@@ -96,7 +96,7 @@ export default defineConfig([
     rules: { "no-restricted-syntax": ["error", ...form, ...casts] },
   },
   {
-    files: ["src/i18n/**", "src/app/fields/blocks/block-fields.ts", "tests/validation-rules.ts", "src/program/tool-table.test.ts"],
+    files: ["src/i18n/**", "src/app/fields/blocks/block-fields.ts", "tests/validation-rules.ts", "src/program/tools/tool-table.test.ts"],
     rules: { "max-lines": "off" },
   },
   {

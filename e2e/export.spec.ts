@@ -2,7 +2,7 @@ import { readFile } from "node:fs/promises";
 import DxfParser from "dxf-parser";
 import type { Locator } from "@playwright/test";
 import { exported as words } from "../src/i18n/en/export.ts";
-import { dxfDefaults, readDxf, type ParsedDxf } from "../src/program/read-dxf.ts";
+import { dxfDefaults, readDxf, type ParsedDxf } from "../src/program/dxf/read-dxf.ts";
 import { looksRight } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";

@@ -1,8 +1,8 @@
 import { readFileSync } from "node:fs";
 import { planner } from "../src/app/calculation/plan.ts";
 import { parse } from "../src/nc/parse.ts";
-import { run } from "../src/program/run.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
+import { run } from "../src/program/run/run.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { simulate, simulating } from "../src/sim/simulate.ts";
 import { tracing } from "../src/sim/tracing.ts";
 

@@ -1,10 +1,10 @@
 import { spawnSync } from "node:child_process";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { parse } from "../src/nc/parse.ts";
-import type { SetJob } from "../src/program/job.ts";
-import { printJob } from "../src/program/print-job.ts";
-import { run } from "../src/program/run.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
+import type { SetJob } from "../src/program/job/job.ts";
+import { printJob } from "../src/program/job/print-job.ts";
+import { run } from "../src/program/run/run.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { quantile } from "../e2e/pages/measure.ts";
 import type { Simulation } from "../src/sim/simulation.ts";
 import { simulate, simulating } from "../src/sim/simulate.ts";

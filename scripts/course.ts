@@ -8,7 +8,7 @@ import { wantedPart } from "../src/course/wanted-part.ts";
 import { LESSON_LANGUAGES, lessonProblems, taskProblems } from "../src/course/whole.ts";
 import { lessonSchema } from "../src/course/lesson.ts";
 import { TASK_FORMAT, taskSchema, type Task } from "../src/course/task.ts";
-import { areaOf } from "../src/kernel/area.ts";
+import { areaOf } from "../src/kernel/area/area.ts";
 import { toDiameter } from "../src/kernel/units.ts";
 import { message } from "../src/i18n/message.ts";
 

@@ -37,7 +37,7 @@ formatter.setConfig({ lineWidth: LINE, indentWidth: 2, newLineKind: "lf" }, {
 });
 
 /** Printed tables, whose rows are as wide as the control writes them. */
-const TABLES = ["src/program/tool-table.test.ts"];
+const TABLES = ["src/program/tools/tool-table.test.ts"];
 
 /** The text as it stays when it is formatted again: some breaks settle in the second round only. */
 function settled(file, text) {

@@ -1,8 +1,8 @@
 import { parse } from "../src/nc/parse.ts";
 import type { Statement } from "../src/nc/statement.ts";
-import { filesByName } from "../src/program/program-files.ts";
-import { acts, run } from "../src/program/run.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
+import { filesByName } from "../src/program/state/program-files.ts";
+import { acts, run } from "../src/program/run/run.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 
 /** Blocks as a program writes them, for each kind of statement that the reader knows. */
 const BLOCKS: Readonly<Record<Statement["kind"], readonly string[]>> = {

@@ -1,5 +1,5 @@
 import { ncLabels } from "../src/i18n/nc-labels.ts";
-import { printJob } from "../src/program/print-job.ts";
+import { printJob } from "../src/program/job/print-job.ts";
 import { printedExample } from "./long-contour.ts";
 
 /** Characters of a program of 10 MB. */

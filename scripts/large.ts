@@ -1,6 +1,6 @@
 import { parse } from "../src/nc/parse.ts";
-import { run } from "../src/program/run.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
+import { run } from "../src/program/run/run.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { report } from "../src/report/report.ts";
 import { verdictOf } from "../src/report/verdict.ts";
 import { simulate } from "../src/sim/simulate.ts";

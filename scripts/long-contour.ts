@@ -1,6 +1,6 @@
 import { cycleByNumber } from "../src/cycles/index.ts";
 import { never } from "../src/kernel/never.ts";
-import { exampleJob, newRow, type ContourRow, type SetJob } from "../src/program/job.ts";
+import { exampleJob, newRow, type ContourRow, type SetJob } from "../src/program/job/job.ts";
 
 /** ⌀ and Z of the outer and the inner end, mm; how many waves lie between them and how deep they are. */
 const RIM = { x: 200, z: -30 };

@@ -1,5 +1,5 @@
 import { z } from "zod";
-import { machineSchema } from "../src/program/machine-file.ts";
+import { machineSchema } from "../src/program/machine/machine-file.ts";
 
 /** The JSON schema of machine files, from the one that reads them. How programs are written is held to its own rules. */
 export const machineJsonSchema = (): string =>

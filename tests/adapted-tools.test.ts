@@ -1,9 +1,9 @@
 import { describe, expect, test } from "vitest";
-import type { Tool } from "../src/kernel/tool.ts";
+import type { Tool } from "../src/kernel/plan/tool.ts";
 import { toDiameter, degrees, length } from "../src/kernel/units.ts";
 import { parse } from "../src/nc/parse.ts";
-import { run } from "../src/program/run.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
+import { run } from "../src/program/run/run.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { stockIssues } from "../src/sim/issues.ts";
 import { simulate } from "../src/sim/simulate.ts";
 

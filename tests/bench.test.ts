@@ -5,8 +5,8 @@ import { grownProgram } from "../scripts/large-programs.ts";
 import { markdownTable } from "../scripts/performance-page.ts";
 import { middle, referenceWork } from "../scripts/reference.ts";
 import { parse } from "../src/nc/parse.ts";
-import { run } from "../src/program/run.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
+import { run } from "../src/program/run/run.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 
 test("the reference loop is the same every time, also as text in another place", () => {
   const once = referenceWork();

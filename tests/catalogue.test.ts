@@ -6,7 +6,7 @@ import { typeset } from "../src/i18n/fr/typeset.ts";
 import { texts } from "../src/i18n/index.ts";
 import { type Language, LANGUAGES } from "../src/i18n/languages.ts";
 import { ncLabels, ncWords } from "../src/i18n/nc-labels.ts";
-import { checkNumber, readText } from "../src/program/field.ts";
+import { checkNumber, readText } from "../src/program/values/field.ts";
 import { RECALLED } from "./recalled-lists.ts";
 import { projectFolder } from "./sources.ts";
 

@@ -2,8 +2,8 @@ import * as fc from "fast-check";
 import { cuttingCycles } from "../src/cycles/index.ts";
 import type { Param } from "../src/cycles/params.ts";
 import type { Statement } from "../src/nc/statement.ts";
-import { exampleJob, newRow, type SetJob } from "../src/program/job.ts";
-import { JOB_LAYOUTS } from "../src/program/nc-output.ts";
+import { exampleJob, newRow, type SetJob } from "../src/program/job/job.ts";
+import { JOB_LAYOUTS } from "../src/program/machine/nc-output.ts";
 
 /* Random jobs and statements for the grammar of a program file. */
 

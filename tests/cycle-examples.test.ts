@@ -5,10 +5,10 @@ import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { parse } from "../src/nc/parse.ts";
 import { issuesOf, print } from "../src/nc/program.ts";
-import { exampleJob } from "../src/program/job.ts";
-import { printJob } from "../src/program/print-job.ts";
-import { run } from "../src/program/run.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
+import { exampleJob } from "../src/program/job/job.ts";
+import { printJob } from "../src/program/job/print-job.ts";
+import { run } from "../src/program/run/run.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 
 /*
  * The example of every cycle, as the page begins a work with it: whoever meets a cycle for the first time sees a program that is proved.

@@ -5,8 +5,8 @@ import { LANGUAGES } from "../src/i18n/languages.ts";
 import { toDiameter } from "../src/kernel/units.ts";
 import { parse } from "../src/nc/parse.ts";
 import { issuesOf, print } from "../src/nc/program.ts";
-import { run } from "../src/program/run.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
+import { run } from "../src/program/run/run.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { stockIssues as proved } from "../src/sim/issues.ts";
 import { simulate } from "../src/sim/simulate.ts";
 

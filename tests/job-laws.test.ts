@@ -4,10 +4,10 @@ import { cuttingCycles } from "../src/cycles/index.ts";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { parse } from "../src/nc/parse.ts";
 import { issuesOf, print } from "../src/nc/program.ts";
-import { printAsInManual, printJob } from "../src/program/print-job.ts";
-import { readDraft } from "../src/program/read-draft.ts";
-import { run } from "../src/program/run.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
+import { printAsInManual, printJob } from "../src/program/job/print-job.ts";
+import { readDraft } from "../src/program/job/read-draft.ts";
+import { run } from "../src/program/run/run.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { typedJobs } from "./control-file-texts.ts";
 
 const shop = { tools: shippedTools, rapid: 10_000 };

@@ -1,12 +1,12 @@
 import { describe, expect, test } from "vitest";
 import { cycleByNumber } from "../src/cycles/index.ts";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
-import type { Ring } from "../src/kernel/point.ts";
+import type { Ring } from "../src/kernel/geometry/point.ts";
 import { parse } from "../src/nc/parse.ts";
-import { exampleJob } from "../src/program/job.ts";
-import { printJob } from "../src/program/print-job.ts";
-import { run } from "../src/program/run.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
+import { exampleJob } from "../src/program/job/job.ts";
+import { printJob } from "../src/program/job/print-job.ts";
+import { run } from "../src/program/run/run.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { spindleAt } from "../src/sim/load/spindles.ts";
 import { simulate } from "../src/sim/simulate.ts";
 import type { Chip } from "../src/sim/chip/chip.ts";
@@ -25,7 +25,7 @@ import { surfacesOf } from "../src/view/material/surfaces.ts";
 import { svgPen } from "../src/view/material/svg-pen.ts";
 import { sceneOf, type Scene } from "../src/view/scene.ts";
 import { tipAt } from "../src/view/tip.ts";
-import type { Run } from "../src/program/run-types.ts";
+import type { Run } from "../src/program/state/run-types.ts";
 
 /**
  * The lathe view, kept as drawings: the work as it is painted, path and contour, the tool in its holder, and the chip that it cuts. The

@@ -6,7 +6,7 @@ import { sheetTitleOf } from "../src/features/course/drawing/title-words.ts";
 import { answerOf } from "../src/course/judge/answer.ts";
 import { drawnProgram } from "../src/course/printed-program.ts";
 import type { DrawnTask } from "../src/course/printed-part.ts";
-import { boxAround } from "../src/kernel/box.ts";
+import { boxAround } from "../src/kernel/area/box.ts";
 import { courseDrawing as english } from "../src/i18n/en/course-drawing.ts";
 import { courseDrawing as german } from "../src/i18n/de/course-drawing.ts";
 import { drawingSvg, titleBlock } from "../src/view/drawing/drawing-svg.ts";

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
-import { areaOf } from "../src/kernel/area.ts";
-import { difference, offset, union } from "../src/kernel/clip.ts";
-import type { Ring } from "../src/kernel/point.ts";
+import { areaOf } from "../src/kernel/area/area.ts";
+import { difference, offset, union } from "../src/kernel/area/clip.ts";
+import type { Ring } from "../src/kernel/geometry/point.ts";
 import { GRID } from "../src/kernel/tolerance.ts";
 import { axial, radius } from "../src/kernel/units.ts";
 

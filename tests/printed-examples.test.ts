@@ -1,10 +1,10 @@
 import { describe, expect, test } from "vitest";
 import { cycleByNumber } from "../src/cycles/index.ts";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
-import { exampleJob } from "../src/program/job.ts";
+import { exampleJob } from "../src/program/job/job.ts";
 import { parse } from "../src/nc/parse.ts";
 import { issuesOf } from "../src/nc/program.ts";
-import { printAsInManual, printJob } from "../src/program/print-job.ts";
+import { printAsInManual, printJob } from "../src/program/job/print-job.ts";
 
 const programs = import.meta.glob<string>("./programs/cycle-*.h", { query: "?raw", import: "default", eager: true });
 

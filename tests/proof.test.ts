@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { verified } from "../scripts/verify.ts";
 import { STOCK_FAULTS } from "../src/sim/simulation.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 
 /*
  * Programs with what their proof must say, in their first line: `code@block`, `-code`, `verdict=…`, `holder=…`,

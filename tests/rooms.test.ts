@@ -38,6 +38,31 @@ describe("rooms of the page", () => {
   });
 });
 
+/** Folders of a layer from the ground up; "" are its files that stand in none. */
+const FOLDERS: Readonly<Record<string, readonly string[]>> = {
+  kernel: ["", "geometry", "area", "plan", "reach", "contour", "solve", "time", "plane", "cutter", "free", "strategy"],
+  program: ["values", "machine", "tools", "iso-codes", "state", "clamping", "motion", "blocks", "run", "job", "dxf", "edits", "compare"],
+};
+
+describe.each(Object.entries(FOLDERS))("folders of %s", (layer, folders) => {
+  const floorOf = (path: string) => folders.indexOf(path.split("/").slice(2, -1)[0] ?? "");
+  const files = all.filter((s) => layerOf(s.path) === layer && !/\.test\.ts$/.test(s.path));
+
+  test.each(folders)("%s imports downwards only", (folder) => {
+    const here = folders.indexOf(folder);
+    const own = files.filter((s) => floorOf(s.path) === here);
+    expect(own.length).toBeGreaterThan(1);
+    const wrong = own.flatMap((s) =>
+      s.imports.filter((i) => i.relative && layerOf(i.target) === layer && floorOf(i.target) > here).map((i) => `${s.path} → ${i.target}`)
+    );
+    expect(wrong).toEqual([]);
+  });
+
+  test("every file stands in one of them", () => {
+    expect(files.filter((s) => floorOf(s.path) === -1).map((s) => s.path)).toEqual([]);
+  });
+});
+
 /** How many variables of modules may change. */
 const MOST_STATE = 68;
 

@@ -1,11 +1,11 @@
 import { describe, expect, test } from "vitest";
-import { areaOf } from "../src/kernel/area.ts";
-import { at } from "../src/kernel/point.ts";
+import { areaOf } from "../src/kernel/area/area.ts";
+import { at } from "../src/kernel/geometry/point.ts";
 import { parse } from "../src/nc/parse.ts";
-import { NC_OUTPUTS } from "../src/program/nc-output.ts";
-import { run } from "../src/program/run.ts";
-import { nextClampingName, secondSide } from "../src/program/second-side.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
+import { NC_OUTPUTS } from "../src/program/machine/nc-output.ts";
+import { run } from "../src/program/run/run.ts";
+import { nextClampingName, secondSide } from "../src/program/edits/second-side.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { leftPieces } from "../src/sim/clamped.ts";
 import { simulate } from "../src/sim/simulate.ts";
 

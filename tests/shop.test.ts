@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
 import { verified } from "../scripts/verify.ts";
 import { refusals } from "../src/control-file/refusals.ts";
-import { over, readTools } from "../src/program/read-tools.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
+import { over, readTools } from "../src/program/tools/read-tools.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import type { Report } from "../src/report/report.ts";
 import tools from "./shop/tools.json?raw";
 

@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
 import { verified } from "../scripts/verify.ts";
-import { readMachine } from "../src/program/machine-file.ts";
-import { over, readTools } from "../src/program/read-tools.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
+import { readMachine } from "../src/program/machine/machine-file.ts";
+import { over, readTools } from "../src/program/tools/read-tools.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import type { ReportTime } from "../src/report/report.ts";
 import { projectFile } from "./sources.ts";
 

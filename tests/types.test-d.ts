@@ -3,8 +3,8 @@
  * an error.
  */
 import { diameterParam, lengthParam, radial, type Values } from "../src/cycles/params.ts";
-import { issue } from "../src/kernel/issue.ts";
-import type { Pt } from "../src/kernel/point.ts";
+import { issue } from "../src/kernel/plan/issue.ts";
+import type { Pt } from "../src/kernel/geometry/point.ts";
 import { axial, diameter, radius, toDiameter, toRadius, type Axial, type Diameter, type Radius } from "../src/kernel/units.ts";
 
 const d = diameter(60);

@@ -1,9 +1,9 @@
 /** The rules a form is checked by, as data: what trips each, and what just passes it. */
-import type { ContourElement } from "../src/kernel/contour.ts";
-import type { Code, Severity } from "../src/kernel/issue.ts";
-import type { Tool } from "../src/kernel/tool.ts";
+import type { ContourElement } from "../src/kernel/contour/contour.ts";
+import type { Code, Severity } from "../src/kernel/plan/issue.ts";
+import type { Tool } from "../src/kernel/plan/tool.ts";
 import { axial, diameter, length, toRadius } from "../src/kernel/units.ts";
-import type { Draft } from "../src/program/read-draft.ts";
+import type { Draft } from "../src/program/job/read-draft.ts";
 
 export const at = (x: number, z: number) => ({ z: axial(z), r: toRadius(diameter(x)) });
 const line = (x: number, z: number): ContourElement => ({ kind: "line", to: at(x, z) });

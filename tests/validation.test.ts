@@ -1,12 +1,12 @@
 import { describe, expect, test } from "vitest";
 import { cycleByNumber } from "../src/cycles/index.ts";
-import { contourFrom } from "../src/kernel/contour.ts";
-import type { Issue } from "../src/kernel/issue.ts";
-import type { Tool } from "../src/kernel/tool.ts";
+import { contourFrom } from "../src/kernel/contour/contour.ts";
+import type { Issue } from "../src/kernel/plan/issue.ts";
+import type { Tool } from "../src/kernel/plan/tool.ts";
 import { feed } from "../src/kernel/units.ts";
-import { exampleDraft, readDraft } from "../src/program/read-draft.ts";
-import { shippedTools } from "../src/program/shipped-tools.ts";
-import { betterTool } from "../src/program/which-tool.ts";
+import { exampleDraft, readDraft } from "../src/program/job/read-draft.ts";
+import { shippedTools } from "../src/program/tools/shipped-tools.ts";
+import { betterTool } from "../src/program/tools/which-tool.ts";
 import { at, type Case, printed, rules } from "./validation-rules.ts";
 
 const shipped = (T: number): Tool => shippedTools.find((tool) => tool.T === T) as Tool;

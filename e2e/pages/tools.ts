@@ -1,5 +1,5 @@
 import type { Locator } from "@playwright/test";
-import type { CellName, HolderCell, ToolColumn } from "../../src/program/tool-columns.ts";
+import type { CellName, HolderCell, ToolColumn } from "../../src/program/tools/tool-columns.ts";
 import { plainText } from "./pattern.ts";
 import { toolWords } from "./tool-words.ts";
 import type { Context } from "./turnwise.ts";

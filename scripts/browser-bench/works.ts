@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import type { Turnwise } from "../../e2e/pages/turnwise.ts";
 import { linkOf } from "../../src/app/records/link.ts";
 import { ncLabels } from "../../src/i18n/nc-labels.ts";
-import { printJob } from "../../src/program/print-job.ts";
+import { printJob } from "../../src/program/job/print-job.ts";
 import { longContour } from "../long-contour.ts";
 import { grownProgram, milledProgram } from "../large-programs.ts";
 

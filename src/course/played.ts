@@ -1,5 +1,5 @@
-import type { Step } from "../kernel/step.ts";
-import type { Operation } from "../program/run-types.ts";
+import type { Step } from "../kernel/time/step.ts";
+import type { Operation } from "../program/state/run-types.ts";
 
 /** A stretch of steps, both included. */
 export interface Played {

@@ -1,4 +1,4 @@
-import { at, type Pt } from "../kernel/point.ts";
+import { at, type Pt } from "../kernel/geometry/point.ts";
 import { diameter, toRadius } from "../kernel/units.ts";
 import type { Task } from "./task.ts";
 import { wantedPart, type WantedPart, type WantedThread } from "./wanted-part.ts";

@@ -1,7 +1,7 @@
-import { boxAround } from "../kernel/box.ts";
-import { areaOf } from "../kernel/area.ts";
-import { difference, intersection, offset, union } from "../kernel/clip.ts";
-import { at, part, type Ring, type Segment } from "../kernel/point.ts";
+import { boxAround } from "../kernel/area/box.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import { difference, intersection, offset, union } from "../kernel/area/clip.ts";
+import { at, part, type Ring, type Segment } from "../kernel/geometry/point.ts";
 import { SAME, SLIVER } from "../kernel/tolerance.ts";
 import { diameter, toRadius } from "../kernel/units.ts";
 import { machiningArea } from "../sim/finished.ts";

@@ -1,8 +1,8 @@
 import { parse } from "../nc/parse.ts";
-import { printJob, type Labels } from "../program/print-job.ts";
-import { setupOf, withSetup } from "../program/setup.ts";
-import { shippedTools } from "../program/shipped-tools.ts";
-import type { Draft } from "../program/read-draft.ts";
+import { printJob, type Labels } from "../program/job/print-job.ts";
+import { setupOf, withSetup } from "../program/job/setup.ts";
+import { shippedTools } from "../program/tools/shipped-tools.ts";
+import type { Draft } from "../program/job/read-draft.ts";
 import { startOfTask } from "./start-of.ts";
 import type { Task } from "./task.ts";
 

@@ -1,5 +1,5 @@
 import { cycleByNumber } from "../cycles/index.ts";
-import { areaOf } from "../kernel/area.ts";
+import { areaOf } from "../kernel/area/area.ts";
 import { taskSchema, type Task } from "./task.ts";
 import { wantedPart } from "./wanted-part.ts";
 

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { parse } from "../nc/parse.ts";
-import { run } from "../program/run.ts";
-import { shippedTools } from "../program/shipped-tools.ts";
+import { run } from "../program/run/run.ts";
+import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { startOfTask, toolsOfTask } from "./start-of.ts";
 import { taskSchema, TASK_FORMAT, type Task } from "./task.ts";
 

@@ -2,12 +2,12 @@ import { cycleByNumber } from "../cycles/index.ts";
 import { parse } from "../nc/parse.ts";
 import { programText } from "../nc/print.ts";
 import { LAYOUTS } from "../nc/style.ts";
-import { rowsFrom } from "../program/contour-of-text.ts";
-import { exampleJob, UNSET, type Job } from "../program/job.ts";
-import { nameOnControl } from "../program/print-job.ts";
-import { shippedList, type ToolList } from "../program/tool-list.ts";
-import { cellOf } from "../program/tool-entry.ts";
-import { noWords } from "../program/typed-value.ts";
+import { rowsFrom } from "../program/job/contour-of-text.ts";
+import { exampleJob, UNSET, type Job } from "../program/job/job.ts";
+import { nameOnControl } from "../program/job/print-job.ts";
+import { shippedList, type ToolList } from "../program/tools/tool-list.ts";
+import { cellOf } from "../program/tools/tool-entry.ts";
+import { noWords } from "../program/values/typed-value.ts";
 import { shownId, type Task } from "./task.ts";
 
 /** What lies open when a task begins. */

@@ -1,5 +1,5 @@
 import { z } from "zod/mini";
-import { usualTable } from "../program/cutting-table.ts";
+import { usualTable } from "../program/tools/cutting-table.ts";
 import { RULES } from "./judge/judgement.ts";
 import { inLanguages, words } from "./words.ts";
 

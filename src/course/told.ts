@@ -1,4 +1,4 @@
-import { at, type Pt } from "../kernel/point.ts";
+import { at, type Pt } from "../kernel/geometry/point.ts";
 import { axial, diameter, toRadius } from "../kernel/units.ts";
 import type { Answer } from "./judge/judgement.ts";
 import { isRight, truthOf, type Foretold, type Truth } from "./judge/predicting.ts";

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import { areaOf } from "../kernel/area.ts";
-import { intersection } from "../kernel/clip.ts";
-import { at } from "../kernel/point.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import { intersection } from "../kernel/area/clip.ts";
+import { at } from "../kernel/geometry/point.ts";
 import { wantedPart } from "./wanted-part.ts";
 
 const blank = ["BLK FORM CYLINDER Z D63.4 L81 DIST+1.5 DI17"];

@@ -1,14 +1,14 @@
-import { areaOf } from "../kernel/area.ts";
-import { boxAround } from "../kernel/box.ts";
-import { difference, union } from "../kernel/clip.ts";
-import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import { boxAround } from "../kernel/area/box.ts";
+import { difference, union } from "../kernel/area/clip.ts";
+import { at, part, type Pt, type Ring, type Segment } from "../kernel/geometry/point.ts";
 import { CHORD } from "../kernel/tolerance.ts";
 import { diameter, toRadius } from "../kernel/units.ts";
 import { parse } from "../nc/parse.ts";
-import { readContour } from "../program/contour-subprogram.ts";
-import { Machine } from "../program/machine.ts";
-import { run } from "../program/run.ts";
-import type { RunFinding } from "../program/run-types.ts";
+import { readContour } from "../program/blocks/contour-subprogram.ts";
+import { Machine } from "../program/state/machine.ts";
+import { run } from "../program/run/run.ts";
+import type { RunFinding } from "../program/state/run-types.ts";
 import type { Task } from "./task.ts";
 
 type Found = RunFinding["issue"];

@@ -1,7 +1,7 @@
-import { run } from "../program/run.ts";
+import { run } from "../program/run/run.ts";
 import { parse } from "../nc/parse.ts";
-import { shippedTools } from "../program/shipped-tools.ts";
-import type { Run } from "../program/run-types.ts";
+import { shippedTools } from "../program/tools/shipped-tools.ts";
+import type { Run } from "../program/state/run-types.ts";
 import { cycleByNumber } from "../cycles/index.ts";
 import { answerOf } from "./judge/answer.ts";
 import { judge } from "./judge/judge.ts";

@@ -1,7 +1,7 @@
-import { areaOf, areaOfRing } from "../kernel/area.ts";
-import { union } from "../kernel/clip.ts";
-import { contourFrom, type ContourElement } from "../kernel/contour.ts";
-import { at, part, type Ring, type Segment } from "../kernel/point.ts";
+import { areaOf, areaOfRing } from "../kernel/area/area.ts";
+import { union } from "../kernel/area/clip.ts";
+import { contourFrom, type ContourElement } from "../kernel/contour/contour.ts";
+import { at, part, type Ring, type Segment } from "../kernel/geometry/point.ts";
 import { keptOver } from "../kernel/strategy/kept.ts";
 import { CHORD } from "../kernel/tolerance.ts";
 import { radius, rounded } from "../kernel/units.ts";

@@ -1,4 +1,4 @@
-import type { Move } from "../kernel/move.ts";
+import type { Move } from "../kernel/plan/move.ts";
 import type { Params, Topic } from "./params.ts";
 
 /** How the values that made a move are shown, the one that decides most about it first. */

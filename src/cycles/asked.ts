@@ -1,4 +1,4 @@
-import type { LeftOnPurpose } from "../kernel/plan.ts";
+import type { LeftOnPurpose } from "../kernel/plan/plan.ts";
 import type { Cycle } from "./define.ts";
 import type { Params, Values } from "./params.ts";
 

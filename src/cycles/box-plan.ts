@@ -1,6 +1,6 @@
-import { toFlat } from "../kernel/flat.ts";
-import type { Plan, Setting } from "../kernel/plan.ts";
-import { at } from "../kernel/point.ts";
+import { toFlat } from "../kernel/geometry/flat.ts";
+import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import { at } from "../kernel/geometry/point.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { planLeveled } from "../kernel/strategy/leveled.ts";
 import { type Axial, type Diameter, type Feed, type Length, perSide, type Radius, toRadius } from "../kernel/units.ts";

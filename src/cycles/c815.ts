@@ -1,4 +1,4 @@
-import { mirroredTool } from "../kernel/holder.ts";
+import { mirroredTool } from "../kernel/cutter/holder.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { planContourParallel } from "../kernel/strategy/contour-parallel.ts";
 import { empty } from "../kernel/strategy/leveled.ts";

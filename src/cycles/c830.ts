@@ -1,5 +1,5 @@
-import { issue } from "../kernel/issue.ts";
-import type { Setting } from "../kernel/plan.ts";
+import { issue } from "../kernel/plan/issue.ts";
+import type { Setting } from "../kernel/plan/plan.ts";
 import { defineCycle, type Given, type Outline } from "./define.ts";
 import type { Setups } from "./drawn-setup.ts";
 import { threadContourSetups } from "./drawn-thread.ts";

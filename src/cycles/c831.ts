@@ -1,4 +1,4 @@
-import { part, type Pt } from "../kernel/point.ts";
+import { part, type Pt } from "../kernel/geometry/point.ts";
 import { toRadius } from "../kernel/units.ts";
 import { defineCycle, type Outline, printedContour } from "./define.ts";
 import type { Setups } from "./drawn-setup.ts";

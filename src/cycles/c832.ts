@@ -1,4 +1,4 @@
-import { part } from "../kernel/point.ts";
+import { part } from "../kernel/geometry/point.ts";
 import type { Given } from "./define.ts";
 import { defineCycle, printedContour } from "./define.ts";
 import type { Setups } from "./drawn-setup.ts";

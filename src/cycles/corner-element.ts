@@ -1,7 +1,7 @@
-import type { CornerElement } from "../kernel/corner.ts";
-import { withCorners } from "../kernel/contour.ts";
-import { issue, type Issue } from "../kernel/issue.ts";
-import type { Pt, Segment } from "../kernel/point.ts";
+import type { CornerElement } from "../kernel/contour/corner.ts";
+import { withCorners } from "../kernel/contour/contour.ts";
+import { issue, type Issue } from "../kernel/plan/issue.ts";
+import type { Pt, Segment } from "../kernel/geometry/point.ts";
 
 /** A chamfer (1) or a radius (2) of a start or end element; none for type 0. */
 export const cornerElementOf = (type: number, size: number): CornerElement | null =>

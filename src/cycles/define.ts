@@ -1,7 +1,7 @@
-import type { Frame } from "../kernel/flat.ts";
-import type { Issue } from "../kernel/issue.ts";
-import type { Plan, Setting } from "../kernel/plan.ts";
-import type { Pt, Segment } from "../kernel/point.ts";
+import type { Frame } from "../kernel/geometry/flat.ts";
+import type { Issue } from "../kernel/plan/issue.ts";
+import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import type { Pt, Segment } from "../kernel/geometry/point.ts";
 import type { Evidence, Params, Values } from "./params.ts";
 
 /** Groups as the control has them. */

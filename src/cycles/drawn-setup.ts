@@ -1,6 +1,6 @@
-import { contourFrom, type ContourElement } from "../kernel/contour.ts";
-import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
-import type { TipOrientation } from "../kernel/tool.ts";
+import { contourFrom, type ContourElement } from "../kernel/contour/contour.ts";
+import { at, part, type Pt, type Ring, type Segment } from "../kernel/geometry/point.ts";
+import type { TipOrientation } from "../kernel/plan/tool.ts";
 import { inDegrees, radians, radius, rounded, toDiameter } from "../kernel/units.ts";
 
 /** Numbers by chance, for set-ups that nobody thought of. Whoever asks for a set-up brings the dice: nothing here rolls any. */

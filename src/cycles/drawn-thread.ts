@@ -1,8 +1,8 @@
-import { contourFrom, type ContourElement } from "../kernel/contour.ts";
-import { at, type Ring } from "../kernel/point.ts";
-import { METRIC } from "../kernel/metric-thread.ts";
+import { contourFrom, type ContourElement } from "../kernel/contour/contour.ts";
+import { at, type Ring } from "../kernel/geometry/point.ts";
+import { METRIC } from "../kernel/contour/metric-thread.ts";
 import { ROUND, SAME } from "../kernel/tolerance.ts";
-import type { TipOrientation } from "../kernel/tool.ts";
+import type { TipOrientation } from "../kernel/plan/tool.ts";
 import { rounded, toDiameter } from "../kernel/units.ts";
 import { box, half, mm, mostly, type Draw, type DrawnSetup, type Setups } from "./drawn-setup.ts";
 

@@ -1,9 +1,9 @@
-import { crossesChain, selfCrossing } from "../kernel/crossing.ts";
-import type { Frame } from "../kernel/flat.ts";
-import { issue, type Issue } from "../kernel/issue.ts";
-import { tipDirection } from "../kernel/insert.ts";
-import type { Setting } from "../kernel/plan.ts";
-import { at, part, type Pt, type Segment } from "../kernel/point.ts";
+import { crossesChain, selfCrossing } from "../kernel/contour/crossing.ts";
+import type { Frame } from "../kernel/geometry/flat.ts";
+import { issue, type Issue } from "../kernel/plan/issue.ts";
+import { tipDirection } from "../kernel/cutter/insert.ts";
+import type { Setting } from "../kernel/plan/plan.ts";
+import { at, part, type Pt, type Segment } from "../kernel/geometry/point.ts";
 import { FAR } from "../kernel/strategy/ground.ts";
 import { toDiameter, toRadius, type Axial, type Diameter } from "../kernel/units.ts";
 import type { Dimension, Given, Outline } from "./define.ts";

@@ -1,6 +1,6 @@
-import { toFlat } from "../kernel/flat.ts";
-import { mirroredTool } from "../kernel/holder.ts";
-import type { Plan, Setting } from "../kernel/plan.ts";
+import { toFlat } from "../kernel/geometry/flat.ts";
+import { mirroredTool } from "../kernel/cutter/holder.ts";
+import type { Plan, Setting } from "../kernel/plan/plan.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { planLeveled } from "../kernel/strategy/leveled.ts";
 import { type Feed, perSide, toRadius } from "../kernel/units.ts";

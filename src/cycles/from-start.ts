@@ -1,5 +1,5 @@
-import { issue, type Issue } from "../kernel/issue.ts";
-import { at, type Pt } from "../kernel/point.ts";
+import { issue, type Issue } from "../kernel/plan/issue.ts";
+import { at, type Pt } from "../kernel/geometry/point.ts";
 import { type Axial, degrees, type Diameter, radius, toDiameter, toRadius } from "../kernel/units.ts";
 import { type BoxOutline, PLAIN, type ShoulderValues } from "./shoulder-outline.ts";
 

@@ -1,4 +1,4 @@
-import { part, type Pt, type Segment } from "../kernel/point.ts";
+import { part, type Pt, type Segment } from "../kernel/geometry/point.ts";
 import { JOINED } from "../kernel/tolerance.ts";
 import { completions, isPosition, plainCompletion } from "./completions.ts";
 import type { Cycle, Given } from "./define.ts";

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { at, type Pt } from "../kernel/point.ts";
-import { shippedTools } from "../program/shipped-tools.ts";
+import { at, type Pt } from "../kernel/geometry/point.ts";
+import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { cycleByNumber } from "./index.ts";
 
 /** Along the cut, where the area and the contour of a cycle begin when its tool starts at a place before them. */

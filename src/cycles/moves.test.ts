@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
-import { contourFrom, type ContourElement } from "../kernel/contour.ts";
-import type { Move } from "../kernel/move.ts";
-import type { Pt } from "../kernel/point.ts";
-import type { TipOrientation } from "../kernel/tool.ts";
+import { contourFrom, type ContourElement } from "../kernel/contour/contour.ts";
+import type { Move } from "../kernel/plan/move.ts";
+import type { Pt } from "../kernel/geometry/point.ts";
+import type { TipOrientation } from "../kernel/plan/tool.ts";
 import { axial, diameter, toDiameter, toRadius } from "../kernel/units.ts";
-import { shippedTools } from "../program/shipped-tools.ts";
+import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { cycleByNumber } from "./index.ts";
 
 /**

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { at, type Segment } from "../kernel/point.ts";
+import { at, type Segment } from "../kernel/geometry/point.ts";
 import { radians } from "../kernel/units.ts";
 import { c820 } from "./c820.ts";
 import { cycleByNumber } from "./index.ts";

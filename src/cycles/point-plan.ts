@@ -1,5 +1,5 @@
-import { flat, segmentToFlat, toPart } from "../kernel/flat.ts";
-import type { Plan } from "../kernel/plan.ts";
+import { flat, segmentToFlat, toPart } from "../kernel/geometry/flat.ts";
+import type { Plan } from "../kernel/plan/plan.ts";
 import { POINT } from "../kernel/strategy/kept.ts";
 import type { Cycle, Given, Outline } from "./define.ts";
 import type { Params, Values } from "./params.ts";

@@ -1,7 +1,7 @@
-import { toFlat, type Frame } from "../kernel/flat.ts";
-import { mirroredTool } from "../kernel/holder.ts";
-import type { Plan, Setting } from "../kernel/plan.ts";
-import { at, part, type Segment } from "../kernel/point.ts";
+import { toFlat, type Frame } from "../kernel/geometry/flat.ts";
+import { mirroredTool } from "../kernel/cutter/holder.ts";
+import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import { at, part, type Segment } from "../kernel/geometry/point.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { planRecess } from "../kernel/strategy/recess.ts";
 import { perSide, toRadius } from "../kernel/units.ts";

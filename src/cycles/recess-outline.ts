@@ -1,6 +1,6 @@
-import type { Frame } from "../kernel/flat.ts";
-import { issue, type Issue } from "../kernel/issue.ts";
-import { part, type Pt } from "../kernel/point.ts";
+import type { Frame } from "../kernel/geometry/flat.ts";
+import { issue, type Issue } from "../kernel/plan/issue.ts";
+import { part, type Pt } from "../kernel/geometry/point.ts";
 import { inDegrees, radians, toRadius } from "../kernel/units.ts";
 import { cornerElementOf, LEG, namedContour, roundOf } from "./corner-element.ts";
 import type { Dimension } from "./define.ts";

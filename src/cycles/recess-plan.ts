@@ -1,12 +1,12 @@
-import type { Frame } from "../kernel/flat.ts";
-import { cuttingWidth, isBar } from "../kernel/insert.ts";
-import { issue, type Issue } from "../kernel/issue.ts";
-import type { Plan, Setting } from "../kernel/plan.ts";
-import { part, type Pt } from "../kernel/point.ts";
+import type { Frame } from "../kernel/geometry/flat.ts";
+import { cuttingWidth, isBar } from "../kernel/cutter/insert.ts";
+import { issue, type Issue } from "../kernel/plan/issue.ts";
+import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import { part, type Pt } from "../kernel/geometry/point.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { planRecess } from "../kernel/strategy/recess.ts";
 import { SAME } from "../kernel/tolerance.ts";
-import type { Tool } from "../kernel/tool.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
 import { axial, degrees, type Diameter, type Feed, length, perSide, radius, roundedDown, toDiameter, toRadius } from "../kernel/units.ts";
 import type { Given } from "./define.ts";
 import { recessOutline, type RecessOutline } from "./recess-outline.ts";

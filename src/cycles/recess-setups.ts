@@ -1,5 +1,5 @@
-import { contourFrom, type ContourElement } from "../kernel/contour.ts";
-import { at, type Pt } from "../kernel/point.ts";
+import { contourFrom, type ContourElement } from "../kernel/contour/contour.ts";
+import { at, type Pt } from "../kernel/geometry/point.ts";
 import { radius, rounded, toDiameter } from "../kernel/units.ts";
 import { dice, type Draw, type DrawnSetup, type Setups } from "./drawn-setup.ts";
 

@@ -1,5 +1,5 @@
-import { toFlat } from "../kernel/flat.ts";
-import type { Plan, Setting } from "../kernel/plan.ts";
+import { toFlat } from "../kernel/geometry/flat.ts";
+import type { Plan, Setting } from "../kernel/plan/plan.ts";
 import { type Axial, type Diameter, toRadius } from "../kernel/units.ts";
 import type { Given, Outline } from "./define.ts";
 import { freeOutline, plungeFrame } from "./free-outline.ts";

@@ -1,6 +1,6 @@
-import type { Flat, Frame } from "../kernel/flat.ts";
-import type { Plan, Setting } from "../kernel/plan.ts";
-import type { Segment } from "../kernel/point.ts";
+import type { Flat, Frame } from "../kernel/geometry/flat.ts";
+import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import type { Segment } from "../kernel/geometry/point.ts";
 import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { empty } from "../kernel/strategy/leveled.ts";
 import { planPlunging } from "../kernel/strategy/plunge.ts";

@@ -1,4 +1,4 @@
-import type { Plan } from "../kernel/plan.ts";
+import type { Plan } from "../kernel/plan/plan.ts";
 import { empty } from "../kernel/strategy/leveled.ts";
 import type { Outline } from "./define.ts";
 

@@ -1,7 +1,7 @@
-import { toPart, type Frame } from "../kernel/flat.ts";
-import type { Issue } from "../kernel/issue.ts";
-import { offerOf, withOffer } from "../kernel/offer.ts";
-import type { Plan } from "../kernel/plan.ts";
+import { toPart, type Frame } from "../kernel/geometry/flat.ts";
+import type { Issue } from "../kernel/plan/issue.ts";
+import { offerOf, withOffer } from "../kernel/plan/offer.ts";
+import type { Plan } from "../kernel/plan/plan.ts";
 import { toDiameter } from "../kernel/units.ts";
 
 /** The Q of a cycle that plays a role of its strategy; the strategies know roles only. */

@@ -1,6 +1,6 @@
-import { type Flat, type Frame, toFlat, toPart } from "../kernel/flat.ts";
-import { issue, type Issue } from "../kernel/issue.ts";
-import { part, type Pt } from "../kernel/point.ts";
+import { type Flat, type Frame, toFlat, toPart } from "../kernel/geometry/flat.ts";
+import { issue, type Issue } from "../kernel/plan/issue.ts";
+import { part, type Pt } from "../kernel/geometry/point.ts";
 import { type Axial, type Degrees, degrees, type Diameter, inDegrees, type Length, length, radians, toRadius } from "../kernel/units.ts";
 import { cornerElementOf, LEG, namedContour, type NamedContour, roundOf } from "./corner-element.ts";
 import type { Dimension, Outline } from "./define.ts";

@@ -1,5 +1,5 @@
-import type { Plan, Setting } from "../kernel/plan.ts";
-import type { Pt } from "../kernel/point.ts";
+import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import type { Pt } from "../kernel/geometry/point.ts";
 import type { Axial, Diameter } from "../kernel/units.ts";
 import { type LeveledValues, planBox } from "./box-plan.ts";
 import { toldOfStart, atTool, fromStart } from "./from-start.ts";

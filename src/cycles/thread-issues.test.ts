@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
-import { at, type Ring } from "../kernel/point.ts";
-import type { Tool } from "../kernel/tool.ts";
+import { at, type Ring } from "../kernel/geometry/point.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
 import { degrees, length } from "../kernel/units.ts";
-import { shippedTools } from "../program/shipped-tools.ts";
+import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { c831 } from "./c831.ts";
 import { c832 } from "./c832.ts";
 

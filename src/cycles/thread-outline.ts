@@ -1,7 +1,7 @@
-import type { Frame } from "../kernel/flat.ts";
-import { issue, type Issue } from "../kernel/issue.ts";
-import { part, type Pt } from "../kernel/point.ts";
-import { METRIC } from "../kernel/metric-thread.ts";
+import type { Frame } from "../kernel/geometry/flat.ts";
+import { issue, type Issue } from "../kernel/plan/issue.ts";
+import { part, type Pt } from "../kernel/geometry/point.ts";
+import { METRIC } from "../kernel/contour/metric-thread.ts";
 import { ROUND } from "../kernel/tolerance.ts";
 import { axial, radians, radius, toRadius, type Axial, type Degrees, type Diameter, type Length } from "../kernel/units.ts";
 import type { Dimension, Outline } from "./define.ts";

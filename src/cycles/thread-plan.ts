@@ -1,6 +1,6 @@
-import type { Frame } from "../kernel/flat.ts";
-import type { Plan, Setting } from "../kernel/plan.ts";
-import type { Segment } from "../kernel/point.ts";
+import type { Frame } from "../kernel/geometry/flat.ts";
+import type { Plan, Setting } from "../kernel/plan/plan.ts";
+import type { Segment } from "../kernel/geometry/point.ts";
 import { planThread } from "../kernel/strategy/thread.ts";
 import type { Degrees, Length, Radius } from "../kernel/units.ts";
 import { atParameters, type Roles } from "./roles.ts";

@@ -1,4 +1,4 @@
-import { METRIC, METRIC_SIZES } from "../kernel/metric-thread.ts";
+import { METRIC, METRIC_SIZES } from "../kernel/contour/metric-thread.ts";
 import { rounded } from "../kernel/units.ts";
 import type { ThreadRoles } from "./define.ts";
 

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import type { Frame } from "../kernel/flat.ts";
-import { at, type Segment } from "../kernel/point.ts";
-import type { Tool } from "../kernel/tool.ts";
+import type { Frame } from "../kernel/geometry/flat.ts";
+import { at, type Segment } from "../kernel/geometry/point.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
 import { length } from "../kernel/units.ts";
 import { angleIssues } from "./tool-issues.ts";
 

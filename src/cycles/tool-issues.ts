@@ -1,12 +1,12 @@
-import { normalEnd, normalStart } from "../kernel/convex.ts";
-import { normalAt, segmentToFlat, type Frame } from "../kernel/flat.ts";
-import { insertShape, isBar, noseRadius } from "../kernel/insert.ts";
-import { inFrame } from "../kernel/convex.ts";
+import { normalEnd, normalStart } from "../kernel/reach/convex.ts";
+import { normalAt, segmentToFlat, type Frame } from "../kernel/geometry/flat.ts";
+import { insertShape, isBar, noseRadius } from "../kernel/cutter/insert.ts";
+import { inFrame } from "../kernel/reach/convex.ts";
 import { positive } from "../kernel/geometry/segments.ts";
-import { issue, type Issue } from "../kernel/issue.ts";
-import type { Plan } from "../kernel/plan.ts";
-import type { Segment } from "../kernel/point.ts";
-import type { Tool } from "../kernel/tool.ts";
+import { issue, type Issue } from "../kernel/plan/issue.ts";
+import type { Plan } from "../kernel/plan/plan.ts";
+import type { Segment } from "../kernel/geometry/point.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
 import { inDegrees, type Length } from "../kernel/units.ts";
 import { ROUND } from "../kernel/tolerance.ts";
 

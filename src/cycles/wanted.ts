@@ -1,4 +1,4 @@
-import type { Segment } from "../kernel/point.ts";
+import type { Segment } from "../kernel/geometry/point.ts";
 import { rounded, toRadius, type Axial, type Diameter, type Length } from "../kernel/units.ts";
 import type { Cycle, TurnedShape } from "./define.ts";
 

@@ -1,6 +1,6 @@
-import type { Issue, Reason } from "../kernel/issue.ts";
+import type { Issue, Reason } from "../kernel/plan/issue.ts";
 import type { NcIssue } from "../nc/issue.ts";
-import type { ProgramIssue } from "../program/issue.ts";
+import type { ProgramIssue } from "../program/state/issue.ts";
 import type { Write } from "./write.ts";
 
 /** A finding of any layer. Those of the text have a line and a column instead of a field. */

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { issue } from "../kernel/issue.ts";
-import { programIssue } from "../program/issue.ts";
+import { issue } from "../kernel/plan/issue.ts";
+import { programIssue } from "../program/state/issue.ts";
 import { lengthsIn } from "./lengths.ts";
 import { message } from "./message.ts";
 import { printedLengths } from "./printed-lengths.ts";

@@ -1,6 +1,6 @@
 import type { TurnedShape } from "../cycles/define.ts";
 import type { Site } from "../cycles/wanted.ts";
-import type { Reason } from "../kernel/issue.ts";
+import type { Reason } from "../kernel/plan/issue.ts";
 
 /** Texts of the question which cycle makes a shape. They come with its dialog. */
 export interface WhichTexts {

@@ -1,7 +1,7 @@
-import type { Move } from "../kernel/move.ts";
+import type { Move } from "../kernel/plan/move.ts";
 import { radius, toDiameter } from "../kernel/units.ts";
-import type { ApproachRun, PlaneStep } from "../program/plane-types.ts";
-import type { Run } from "../program/run-types.ts";
+import type { ApproachRun, PlaneStep } from "../program/tools/plane-types.ts";
+import type { Run } from "../program/state/run-types.ts";
 
 const number = (n: number) => (Number(n.toFixed(3)) || 0).toFixed(3);
 

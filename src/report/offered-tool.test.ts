@@ -2,10 +2,10 @@ import { expect, test } from "vitest";
 import { cycleByNumber } from "../cycles/index.ts";
 import { ncLabels } from "../i18n/nc-labels.ts";
 import { parse } from "../nc/parse.ts";
-import { exampleJob } from "../program/job.ts";
-import { printJob } from "../program/print-job.ts";
-import { run } from "../program/run.ts";
-import { shippedTools } from "../program/shipped-tools.ts";
+import { exampleJob } from "../program/job/job.ts";
+import { printJob } from "../program/job/print-job.ts";
+import { run } from "../program/run/run.ts";
+import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { simulate } from "../sim/simulate.ts";
 import { report } from "./report.ts";
 

@@ -1,7 +1,7 @@
 import { cycleByNumber } from "../cycles/index.ts";
-import type { Tool } from "../kernel/tool.ts";
-import type { Operation } from "../program/run-types.ts";
-import { betterTool } from "../program/which-tool.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
+import type { Operation } from "../program/state/run-types.ts";
+import { betterTool } from "../program/tools/which-tool.ts";
 
 /** Findings that another tool would mend: a dimension of the drawing stays as it is. */
 export const BY_TOOL: ReadonlySet<string> = new Set([

@@ -1,5 +1,5 @@
 import type { AnyCode, AnyIssue } from "../i18n/message-texts.ts";
-import type { Operation, RunFinding } from "../program/run-types.ts";
+import type { Operation, RunFinding } from "../program/state/run-types.ts";
 
 /** What is joined: a finding, and in words the piece of work that it belongs to, as a block with its cycle. */
 export interface FindingOfWork {

@@ -1,10 +1,10 @@
 import { cycleByNumber } from "../cycles/index.ts";
-import type { Reason } from "../kernel/issue.ts";
-import type { Plan } from "../kernel/plan.ts";
-import type { Tool } from "../kernel/tool.ts";
-import { checkTool } from "../program/check-tool.ts";
-import type { Operation as Ran } from "../program/run-types.ts";
-import { shiftedPlan } from "../program/shifted-plan.ts";
+import type { Reason } from "../kernel/plan/issue.ts";
+import type { Plan } from "../kernel/plan/plan.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
+import { checkTool } from "../program/tools/check-tool.ts";
+import type { Operation as Ran } from "../program/state/run-types.ts";
+import { shiftedPlan } from "../program/blocks/shifted-plan.ts";
 import { staysAfter } from "../sim/residual.ts";
 import type { Residual } from "../sim/simulation.ts";
 

@@ -1,7 +1,7 @@
-import type { Move } from "../kernel/move.ts";
+import type { Move } from "../kernel/plan/move.ts";
 import { toDiameter } from "../kernel/units.ts";
-import type { PlaneStep } from "../program/plane-types.ts";
-import type { Run } from "../program/run-types.ts";
+import type { PlaneStep } from "../program/tools/plane-types.ts";
+import type { Run } from "../program/state/run-types.ts";
 
 /**
  * End points of the theoretical tip; X and the X of a centre are diameters. Of milling: end points of the tool centre, X and

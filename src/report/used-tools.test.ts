@@ -1,8 +1,8 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { parse } from "../nc/parse.ts";
-import { run } from "../program/run.ts";
-import { readList, rowsCalled, shippedList, type ToolList } from "../program/tool-list.ts";
+import { run } from "../program/run/run.ts";
+import { readList, rowsCalled, shippedList, type ToolList } from "../program/tools/tool-list.ts";
 import { simulate } from "../sim/simulate.ts";
 import { tracing } from "../sim/tracing.ts";
 import { report, type Report } from "./report.ts";

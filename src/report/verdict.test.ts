@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
-import type { Tool } from "../kernel/tool.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
 import { length } from "../kernel/units.ts";
 import { parse } from "../nc/parse.ts";
-import { run } from "../program/run.ts";
-import { shippedTools } from "../program/shipped-tools.ts";
+import { run } from "../program/run/run.ts";
+import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { simulate } from "../sim/simulate.ts";
 import { verdictOf } from "./verdict.ts";
 

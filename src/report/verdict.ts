@@ -1,7 +1,7 @@
-import { curvatureUnknown, flanksUnknown } from "../kernel/insert.ts";
-import type { Tool } from "../kernel/tool.ts";
-import type { Run } from "../program/run-types.ts";
-import { REAL_AREA } from "../kernel/real-area.ts";
+import { curvatureUnknown, flanksUnknown } from "../kernel/cutter/insert.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
+import type { Run } from "../program/state/run-types.ts";
+import { REAL_AREA } from "../kernel/area/real-area.ts";
 import { STOCK_FAULTS, type StockFinding, type Simulation, type Verdict } from "../sim/simulation.ts";
 
 /**

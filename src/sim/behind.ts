@@ -1,8 +1,8 @@
-import { areaOf } from "../kernel/area.ts";
-import { boxAround, inBox } from "../kernel/box.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import { boxAround, inBox } from "../kernel/area/box.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
-import { real } from "../kernel/real-area.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
+import { real } from "../kernel/area/real-area.ts";
 import type { RearEnd } from "./held.ts";
 import { placeIn } from "./region.ts";
 import type { SimulatedOperation } from "./simulation.ts";

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { issue } from "../kernel/issue.ts";
+import { issue } from "../kernel/plan/issue.ts";
 import { axial, radius } from "../kernel/units.ts";
 import { causesAlone, type ProofIssue } from "./causes.ts";
 import { stockIssues } from "./issues.ts";

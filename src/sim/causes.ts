@@ -1,4 +1,4 @@
-import type { Code, Issue } from "../kernel/issue.ts";
+import type { Code, Issue } from "../kernel/plan/issue.ts";
 
 /** An issue of the proof with where it belongs; block and operation are null for what is left at the end. */
 export interface ProofIssue {

@@ -1,10 +1,10 @@
-import { areaOf } from "../kernel/area.ts";
-import { boxAround } from "../kernel/box.ts";
-import type { ClampBody, Clamped } from "../kernel/clamping.ts";
-import { intersection } from "../kernel/clip.ts";
-import type { Ring } from "../kernel/point.ts";
-import { real } from "../kernel/real-area.ts";
-import type { Step } from "../kernel/step.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import { boxAround } from "../kernel/area/box.ts";
+import type { ClampBody, Clamped } from "../kernel/area/clamping.ts";
+import { intersection } from "../kernel/area/clip.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
+import { real } from "../kernel/area/real-area.ts";
+import type { Step } from "../kernel/time/step.ts";
 import { MOST_CONTACTS } from "./check.ts";
 import { merged } from "./cutting.ts";
 import { sidesOf } from "./edges.ts";

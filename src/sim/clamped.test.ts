@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { at, type Ring } from "../kernel/point.ts";
+import { at, type Ring } from "../kernel/geometry/point.ts";
 import { leftPieces } from "./clamped.ts";
 import type { LoosePiece, Proof } from "./simulation.ts";
 

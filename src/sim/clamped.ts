@@ -1,4 +1,4 @@
-import type { Ring } from "../kernel/point.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
 import { regionsOf } from "./region.ts";
 import type { Simulation } from "./simulation.ts";
 

@@ -1,7 +1,7 @@
-import { areaOf } from "../kernel/area.ts";
-import { union } from "../kernel/clip.ts";
-import type { Ring } from "../kernel/point.ts";
-import { boxAround, gapBetween } from "../kernel/box.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import { union } from "../kernel/area/clip.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
+import { boxAround, gapBetween } from "../kernel/area/box.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
 import type { AnyFinding } from "./simulation.ts";
 

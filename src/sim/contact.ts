@@ -1,6 +1,6 @@
-import { difference, intersection } from "../kernel/clip.ts";
-import type { Ring } from "../kernel/point.ts";
-import { boxBeyond, inBox } from "../kernel/box.ts";
+import { difference, intersection } from "../kernel/area/clip.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
+import { boxBeyond, inBox } from "../kernel/area/box.ts";
 import { merged, near, type Present } from "./cutting.ts";
 import type { Sweep } from "./sweep.ts";
 

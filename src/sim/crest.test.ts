@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
-import type { Plan, ThreadPlan } from "../kernel/plan.ts";
-import { at, type Pt, type Ring } from "../kernel/point.ts";
+import type { Plan, ThreadPlan } from "../kernel/plan/plan.ts";
+import { at, type Pt, type Ring } from "../kernel/geometry/point.ts";
 import { length } from "../kernel/units.ts";
 import { crestMissing } from "./crest.ts";
 import { stockIssues } from "./issues.ts";

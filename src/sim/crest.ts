@@ -1,5 +1,5 @@
-import type { Plan } from "../kernel/plan.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
+import type { Plan } from "../kernel/plan/plan.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import type { MissingCrest } from "./simulation.ts";
 

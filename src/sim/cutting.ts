@@ -1,5 +1,5 @@
-import { difference, union } from "../kernel/clip.ts";
-import type { Ring } from "../kernel/point.ts";
+import { difference, union } from "../kernel/area/clip.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
 import { sidesOf, type Edges } from "./edges.ts";
 import type { ConvexPiece } from "./piece.ts";
 import type { Sweep } from "./sweep.ts";

@@ -1,10 +1,10 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { areaOf } from "../kernel/area.ts";
-import { intersection, isInside, offset, union } from "../kernel/clip.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import { intersection, isInside, offset, union } from "../kernel/area/clip.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
 import { axial, radius } from "../kernel/units.ts";
-import { inBox } from "../kernel/box.ts";
+import { inBox } from "../kernel/area/box.ts";
 import { sidesOf } from "./edges.ts";
 import { convexPieceOf } from "./piece.ts";
 import { placeIn, regionsOf } from "./region.ts";

@@ -1,4 +1,4 @@
-import type { Pt, Ring } from "../kernel/point.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
 import type { ConvexPiece } from "./piece.ts";
 
 /** The edges of an area in columns along z, to ask quickly whether a convex piece meets it. */

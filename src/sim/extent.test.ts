@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { difference, offset } from "../kernel/clip.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
+import { difference, offset } from "../kernel/area/clip.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
 import { axial, radius } from "../kernel/units.ts";
 import { deepestAlong, hasRoomFor, thicknessOf } from "./extent.ts";
 

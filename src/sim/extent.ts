@@ -1,8 +1,8 @@
-import { areaOf, areaOfRing } from "../kernel/area.ts";
-import { offset } from "../kernel/clip.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
+import { areaOf, areaOfRing } from "../kernel/area/area.ts";
+import { offset } from "../kernel/area/clip.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
-import { boxAround } from "../kernel/box.ts";
+import { boxAround } from "../kernel/area/box.ts";
 import { hypotenuse } from "../kernel/geometry/vectors.ts";
 import { scanCrossings } from "./scan.ts";
 

@@ -1,5 +1,5 @@
-import { difference, offset, union } from "../kernel/clip.ts";
-import type { Ring } from "../kernel/point.ts";
+import { difference, offset, union } from "../kernel/area/clip.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
 import { CHORD, SLIVER } from "../kernel/tolerance.ts";
 import { madeOf } from "./made.ts";
 import type { SimulatedOperation, Simulation } from "./simulation.ts";

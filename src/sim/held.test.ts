@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
-import type { Clamping } from "../kernel/clamping.ts";
-import { boxAround } from "../kernel/box.ts";
-import { at, type Ring } from "../kernel/point.ts";
+import type { Clamping } from "../kernel/area/clamping.ts";
+import { boxAround } from "../kernel/area/box.ts";
+import { at, type Ring } from "../kernel/geometry/point.ts";
 import { brokenApart, holdOf, sameHold } from "./held.ts";
 
 const box = (

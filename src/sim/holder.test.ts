@@ -1,10 +1,10 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { areaOf } from "../kernel/area.ts";
-import type { Move } from "../kernel/move.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
-import type { Tool } from "../kernel/tool.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import type { Move } from "../kernel/plan/move.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
 import { axial, feed, length, radius } from "../kernel/units.ts";
 import { cutting } from "./cutting.ts";
 import { holderContact, mayTouch } from "./holder.ts";

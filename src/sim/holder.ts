@@ -1,9 +1,9 @@
-import { areaOf } from "../kernel/area.ts";
-import { difference, intersection } from "../kernel/clip.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
-import { real, REAL_AREA } from "../kernel/real-area.ts";
-import type { Step } from "../kernel/step.ts";
-import { boxOf } from "../kernel/box.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import { difference, intersection } from "../kernel/area/clip.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
+import { real, REAL_AREA } from "../kernel/area/real-area.ts";
+import type { Step } from "../kernel/time/step.ts";
+import { boxOf } from "../kernel/area/box.ts";
 import { inStock } from "./contact.ts";
 import { merged, type Present } from "./cutting.ts";
 import type { Outlines } from "./outlines.ts";

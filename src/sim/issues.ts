@@ -1,6 +1,6 @@
-import { issue, type Issue } from "../kernel/issue.ts";
-import { REAL_AREA } from "../kernel/real-area.ts";
-import type { Pt } from "../kernel/point.ts";
+import { issue, type Issue } from "../kernel/plan/issue.ts";
+import { REAL_AREA } from "../kernel/area/real-area.ts";
+import type { Pt } from "../kernel/geometry/point.ts";
 import { radius, toDiameter } from "../kernel/units.ts";
 import { causesAlone, type Explained, type ProofIssue } from "./causes.ts";
 import { MOST_CONTACTS } from "./check.ts";

@@ -1,4 +1,4 @@
-import type { Ring } from "../kernel/point.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
 import type { Simulation } from "./simulation.ts";
 
 /** What a program has made by its end: what is still held, and the parts that it has cut off from the blank that is in the chuck. */

@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
-import { unpacked } from "../kernel/clip.ts";
-import type { Move } from "../kernel/move.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
-import type { Tool } from "../kernel/tool.ts";
+import { unpacked } from "../kernel/area/clip.ts";
+import type { Move } from "../kernel/plan/move.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
 import { axial, feed, length, radius } from "../kernel/units.ts";
 import { MOST_CONTACTS } from "./check.ts";
 import { stockIssues } from "./issues.ts";

@@ -1,5 +1,5 @@
-import { packed } from "../kernel/clip.ts";
-import type { Ring } from "../kernel/point.ts";
+import { packed } from "../kernel/area/clip.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
 import type { Checkpoint } from "./simulation.ts";
 
 /** Points of all kept stocks together: 16 bytes each, so 24 MB. */

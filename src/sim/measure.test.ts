@@ -1,10 +1,10 @@
 import { describe, expect, test } from "vitest";
-import { areaOf } from "../kernel/area.ts";
-import type { Move, Phase } from "../kernel/move.ts";
-import type { Plan } from "../kernel/plan.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
-import type { TipOrientation, Tool } from "../kernel/tool.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import type { Move, Phase } from "../kernel/plan/move.ts";
+import type { Plan } from "../kernel/plan/plan.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
+import type { TipOrientation, Tool } from "../kernel/plan/tool.ts";
 import { axial, degrees, feed, length, radius } from "../kernel/units.ts";
 import { stockIssues } from "./issues.ts";
 import { madeOf } from "./made.ts";

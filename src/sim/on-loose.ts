@@ -1,9 +1,9 @@
-import { intersection, offset } from "../kernel/clip.ts";
-import { at, type Ring } from "../kernel/point.ts";
-import { REAL_AREA, real } from "../kernel/real-area.ts";
-import { areaOf } from "../kernel/area.ts";
-import type { Step } from "../kernel/step.ts";
-import type { Tool } from "../kernel/tool.ts";
+import { intersection, offset } from "../kernel/area/clip.ts";
+import { at, type Ring } from "../kernel/geometry/point.ts";
+import { REAL_AREA, real } from "../kernel/area/real-area.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import type { Step } from "../kernel/time/step.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
 import { merged, type Cutting } from "./cutting.ts";
 import type { Loose } from "./held.ts";
 import type { Outlines } from "./outlines.ts";

@@ -1,8 +1,8 @@
-import { holderOutlines } from "../kernel/holder.ts";
-import { flanksUnknown, insertOutline } from "../kernel/insert.ts";
-import type { Ring } from "../kernel/point.ts";
+import { holderOutlines } from "../kernel/cutter/holder.ts";
+import { flanksUnknown, insertOutline } from "../kernel/cutter/insert.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
 import { CHORD } from "../kernel/tolerance.ts";
-import type { Tool } from "../kernel/tool.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
 
 /** What a tool is for the simulation: convex polygons relative to the theoretical tip. */
 export interface Outlines {

@@ -1,6 +1,6 @@
-import type { Pt, Ring } from "../kernel/point.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
 import { GRID } from "../kernel/tolerance.ts";
-import { boxOf } from "../kernel/box.ts";
+import { boxOf } from "../kernel/area/box.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
 
 /** A convex piece that goes less deep than this into an area only touches it: two steps of the polygon grid. */

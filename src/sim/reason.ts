@@ -1,7 +1,7 @@
-import { isBar, noseRadius } from "../kernel/insert.ts";
-import type { Reason } from "../kernel/issue.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
-import { boxOf, gapBetween } from "../kernel/box.ts";
+import { isBar, noseRadius } from "../kernel/cutter/insert.ts";
+import type { Reason } from "../kernel/plan/issue.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
+import { boxOf, gapBetween } from "../kernel/area/box.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
 import { hypotenuse } from "../kernel/geometry/vectors.ts";
 import type { Outlines } from "./outlines.ts";

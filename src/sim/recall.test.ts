@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { at, type Ring } from "../kernel/point.ts";
+import { at, type Ring } from "../kernel/geometry/point.ts";
 import { recalling } from "./recall.ts";
 
 const ring = (...points: readonly (readonly [number, number])[]): Ring => points.map(([z, r]) => at(z, r));

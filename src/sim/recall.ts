@@ -1,4 +1,4 @@
-import type { Ring } from "../kernel/point.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
 import { sameRings } from "./same-step.ts";
 
 /** Remembers what was made of areas in one simulation for the next. */

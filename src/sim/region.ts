@@ -1,6 +1,6 @@
-import { areaOfRing } from "../kernel/area.ts";
-import { isInside } from "../kernel/clip.ts";
-import { at, type Pt, type Ring } from "../kernel/point.ts";
+import { areaOfRing } from "../kernel/area/area.ts";
+import { isInside } from "../kernel/area/clip.ts";
+import { at, type Pt, type Ring } from "../kernel/geometry/point.ts";
 
 /** One connected piece of an area: its outline, its holes, and its area in mm². */
 export interface Region {

@@ -1,11 +1,11 @@
-import { areaOf } from "../kernel/area.ts";
-import { difference, intersection, isInside, opened } from "../kernel/clip.ts";
-import type { Reason } from "../kernel/issue.ts";
-import type { Plan, Reach } from "../kernel/plan.ts";
-import { at, type Ring } from "../kernel/point.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import { difference, intersection, isInside, opened } from "../kernel/area/clip.ts";
+import type { Reason } from "../kernel/plan/issue.ts";
+import type { Plan, Reach } from "../kernel/plan/plan.ts";
+import { at, type Ring } from "../kernel/geometry/point.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
-import type { Tool } from "../kernel/tool.ts";
-import { boxOf } from "../kernel/box.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
+import { boxOf } from "../kernel/area/box.ts";
 import { cutting } from "./cutting.ts";
 import { machiningArea } from "./finished.ts";
 import { outlinesOf, type Outlines } from "./outlines.ts";

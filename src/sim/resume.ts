@@ -1,9 +1,9 @@
-import { difference, offset } from "../kernel/clip.ts";
-import { boxAround, boxOf } from "../kernel/box.ts";
+import { difference, offset } from "../kernel/area/clip.ts";
+import { boxAround, boxOf } from "../kernel/area/box.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
-import type { MachiningLimit } from "../kernel/plan.ts";
-import type { Ring } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
+import type { MachiningLimit } from "../kernel/plan/plan.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
 import { SLIVER } from "../kernel/tolerance.ts";
 import type { Finished } from "./check.ts";
 import type { Cutting } from "./cutting.ts";

@@ -1,7 +1,7 @@
-import type { Move } from "../kernel/move.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
-import type { Tool } from "../kernel/tool.ts";
+import type { Move } from "../kernel/plan/move.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
 
 const samePoint = (a: Pt, b: Pt): boolean => a.z === b.z && a.r === b.r;
 

@@ -1,4 +1,4 @@
-import type { Pt, Ring } from "../kernel/point.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
 
 /** Which axis the lines run along on which an area is looked at. */
 export type Along = "z" | "r";

@@ -1,4 +1,4 @@
-import type { Ring } from "../kernel/point.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
 import type { Finished } from "./check.ts";
 import { sidesOf } from "./edges.ts";
 import { finishedPart } from "./finished.ts";

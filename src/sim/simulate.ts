@@ -1,8 +1,8 @@
-import { curvatureUnknown } from "../kernel/insert.ts";
-import { areaOf } from "../kernel/area.ts";
-import { packed } from "../kernel/clip.ts";
-import type { Ring } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
+import { curvatureUnknown } from "../kernel/cutter/insert.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import { packed } from "../kernel/area/clip.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
 import { check, MOST_CONTACTS } from "./check.ts";
 import { clampContacts } from "./clamp-contacts.ts";
 import { collector } from "./collect.ts";

@@ -1,10 +1,10 @@
-import type { PackedRings } from "../kernel/clip.ts";
-import type { Clamped, ClampPart } from "../kernel/clamping.ts";
-import type { Issue, Reason } from "../kernel/issue.ts";
-import type { MachiningLimit, Plan } from "../kernel/plan.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
-import type { Idle, NeededHole, Stated, Step, Unproved } from "../kernel/step.ts";
-import type { Tool } from "../kernel/tool.ts";
+import type { PackedRings } from "../kernel/area/clip.ts";
+import type { Clamped, ClampPart } from "../kernel/area/clamping.ts";
+import type { Issue, Reason } from "../kernel/plan/issue.ts";
+import type { MachiningLimit, Plan } from "../kernel/plan/plan.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
+import type { Idle, NeededHole, Stated, Step, Unproved } from "../kernel/time/step.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
 
 /** One executed cycle call: its plan and its steps, `firstStep` to `lastStep` included (none: lastStep < firstStep). */
 export interface SimulatedOperation {

@@ -1,7 +1,7 @@
-import { areaOf } from "../kernel/area.ts";
-import type { Ring } from "../kernel/point.ts";
-import { areaOutside } from "../kernel/real-area.ts";
-import type { Stated, Unproved } from "../kernel/step.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
+import { areaOutside } from "../kernel/area/real-area.ts";
+import type { Stated, Unproved } from "../kernel/time/step.ts";
 import type { Cutting } from "./cutting.ts";
 import type { StatedProof } from "./simulation.ts";
 

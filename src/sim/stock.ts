@@ -1,5 +1,5 @@
-import { unpacked } from "../kernel/clip.ts";
-import type { Ring } from "../kernel/point.ts";
+import { unpacked } from "../kernel/area/clip.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
 import { cutting, type Cutting, type Present } from "./cutting.ts";
 import { isGiven } from "./marks.ts";
 import { outlinesOf } from "./outlines.ts";

@@ -1,8 +1,8 @@
 import { hypotenuse } from "../kernel/geometry/vectors.ts";
-import { at, part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
-import { stampsOf, type ThreadMove } from "../kernel/thread-turns.ts";
-import { pathOf } from "../kernel/time.ts";
+import { at, part, type Pt, type Ring, type Segment } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
+import { stampsOf, type ThreadMove } from "../kernel/time/thread-turns.ts";
+import { pathOf } from "../kernel/time/time.ts";
 import { CHORD, GRID } from "../kernel/tolerance.ts";
 import { radius } from "../kernel/units.ts";
 import { piecesOf, type ConvexPiece } from "./piece.ts";

@@ -1,11 +1,11 @@
 import { expect, test } from "vitest";
-import { areaOf } from "../kernel/area.ts";
-import { stampsOf, turnsIn, type ThreadMove } from "../kernel/thread-turns.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import { stampsOf, turnsIn, type ThreadMove } from "../kernel/time/thread-turns.ts";
 import { axial, degrees, length, radius } from "../kernel/units.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
-import { shippedTools } from "../program/shipped-tools.ts";
-import type { Tool } from "../kernel/tool.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
+import { shippedTools } from "../program/tools/shipped-tools.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
 import { simulate } from "./simulate.ts";
 import { playerOf } from "./stock.ts";
 

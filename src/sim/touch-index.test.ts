@@ -1,15 +1,15 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import boring from "../../tests/programs/cycle-851.h?raw";
-import { insertOutline } from "../kernel/insert.ts";
-import type { Move } from "../kernel/move.ts";
-import { at, type Pt } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
+import { insertOutline } from "../kernel/cutter/insert.ts";
+import type { Move } from "../kernel/plan/move.ts";
+import { at, type Pt } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
 import { CHORD, SAME } from "../kernel/tolerance.ts";
 import { feed } from "../kernel/units.ts";
 import { parse } from "../nc/parse.ts";
-import { run } from "../program/run.ts";
-import { shippedTools } from "../program/shipped-tools.ts";
+import { run } from "../program/run/run.ts";
+import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { sweptBy } from "./sweep.ts";
 import { touchIndex } from "./touch-index.ts";
 

@@ -1,9 +1,9 @@
-import { insertOutline } from "../kernel/insert.ts";
-import type { Step } from "../kernel/step.ts";
-import { pathOf } from "../kernel/time.ts";
+import { insertOutline } from "../kernel/cutter/insert.ts";
+import type { Step } from "../kernel/time/step.ts";
+import { pathOf } from "../kernel/time/time.ts";
 import { CHORD, SAME } from "../kernel/tolerance.ts";
-import type { Tool } from "../kernel/tool.ts";
-import { part, type Pt } from "../kernel/point.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
+import { part, type Pt } from "../kernel/geometry/point.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
 import { convexPieceOf, type ConvexPiece } from "./piece.ts";
 import type { PlayPosition } from "./simulation.ts";

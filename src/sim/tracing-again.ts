@@ -1,6 +1,6 @@
-import type { Clamping } from "../kernel/clamping.ts";
-import type { Ring } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
+import type { Clamping } from "../kernel/area/clamping.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
 import { sameHold } from "./held.ts";
 import { sameRings, sameSteps } from "./same-step.ts";
 import { tracing } from "./tracing.ts";

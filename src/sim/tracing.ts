@@ -1,6 +1,6 @@
-import type { Clamping } from "../kernel/clamping.ts";
-import type { Ring } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
+import type { Clamping } from "../kernel/area/clamping.ts";
+import type { Ring } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
 import { cutting } from "./cutting.ts";
 import { brokenApart, holdOf } from "./held.ts";
 import { outlinesOf } from "./outlines.ts";

@@ -1,9 +1,9 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { areaOf } from "../kernel/area.ts";
-import { difference, union } from "../kernel/clip.ts";
-import { hullOf } from "../kernel/holder.ts";
-import type { Pt, Ring } from "../kernel/point.ts";
+import { areaOf } from "../kernel/area/area.ts";
+import { difference, union } from "../kernel/area/clip.ts";
+import { hullOf } from "../kernel/cutter/holder.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
 import { axial, radius } from "../kernel/units.ts";
 import { hullAlong } from "./sweep.ts";
 import { trackAlong } from "./track.ts";

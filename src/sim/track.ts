@@ -1,4 +1,4 @@
-import { at, type Pt, type Ring } from "../kernel/point.ts";
+import { at, type Pt, type Ring } from "../kernel/geometry/point.ts";
 
 /** Shorter edges are rounding of an outline, mm. */
 const NO_EDGE = 1e-7;

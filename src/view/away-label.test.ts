@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { at } from "../kernel/point.ts";
+import { at } from "../kernel/geometry/point.ts";
 import { leastCovering, placesBeside } from "./away-label.ts";
 import type { Camera } from "./camera.ts";
 

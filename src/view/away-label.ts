@@ -1,4 +1,4 @@
-import type { Pt } from "../kernel/point.ts";
+import type { Pt } from "../kernel/geometry/point.ts";
 import { toPlace, type Camera, type Place, type Size } from "./camera.ts";
 import type { Seen } from "./edge-mark.ts";
 import { labelsOverlap, type LabelBox } from "./help/labels.ts";

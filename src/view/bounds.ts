@@ -1,4 +1,4 @@
-import type { Pt, Segment } from "../kernel/point.ts";
+import type { Pt, Segment } from "../kernel/geometry/point.ts";
 import type { Bounds } from "./camera.ts";
 
 /** The smallest box round all points, or null when there are none. */

@@ -1,4 +1,4 @@
-import type { Pt } from "../kernel/point.ts";
+import type { Pt } from "../kernel/geometry/point.ts";
 import { axial, radius } from "../kernel/units.ts";
 import { JOINED } from "../kernel/tolerance.ts";
 

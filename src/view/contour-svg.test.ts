@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { at, type Segment } from "../kernel/point.ts";
+import { at, type Segment } from "../kernel/geometry/point.ts";
 import { contourSvg } from "./contour-svg.ts";
 
 const contour: readonly Segment[] = [{ kind: "line", from: at(1.25, 9.875), to: at(-17.3, 9.875) }, {

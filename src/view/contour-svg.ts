@@ -1,4 +1,4 @@
-import { at, part, type Segment } from "../kernel/point.ts";
+import { at, part, type Segment } from "../kernel/geometry/point.ts";
 import { boundsOf, grownBounds } from "./bounds.ts";
 import { segmentData } from "./path.ts";
 

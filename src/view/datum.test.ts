@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { parse } from "../nc/parse.ts";
-import { run } from "../program/run.ts";
-import { shippedTools } from "../program/shipped-tools.ts";
+import { run } from "../program/run/run.ts";
+import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { datumAt, datumIndex } from "./datum.ts";
 
 const turned = (lines: string) =>

@@ -1,4 +1,4 @@
-import type { Pt } from "../kernel/point.ts";
+import type { Pt } from "../kernel/geometry/point.ts";
 import { axial, radius } from "../kernel/units.ts";
 
 /** A change of the point that a program counts from: from which step on, and where it lies on the workpiece. */

@@ -1,4 +1,4 @@
-import { at, type Pt, type Ring } from "../kernel/point.ts";
+import { at, type Pt, type Ring } from "../kernel/geometry/point.ts";
 import type { Bounds } from "./camera.ts";
 
 /** The rear end of a blank as drawings mark what is held: a plane with short lines behind it. Nothing is said of what holds it. */

@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
-import { at } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
+import { at } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
 import { feed } from "../kernel/units.ts";
-import { shippedTools } from "../program/shipped-tools.ts";
+import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { MOST_STRETCHES, pathStretches, progressOf, wholePath, type KnownLines } from "./passes.ts";
 import { toolpath } from "./scene.ts";
 

@@ -1,4 +1,4 @@
-import type { Step } from "../kernel/step.ts";
+import type { Step } from "../kernel/time/step.ts";
 import { moveData, startData } from "./path.ts";
 import { PATH_ROLES, pathRole, tipWays, toolpath, type Shape, type TipWays } from "./scene.ts";
 

@@ -1,6 +1,6 @@
 import { hypotenuse } from "../kernel/geometry/vectors.ts";
-import type { Move } from "../kernel/move.ts";
-import { part, type Pt, type Ring, type Segment } from "../kernel/point.ts";
+import type { Move } from "../kernel/plan/move.ts";
+import { part, type Pt, type Ring, type Segment } from "../kernel/geometry/point.ts";
 import { JOINED } from "../kernel/tolerance.ts";
 
 const { pointOn, polarOf } = part;

@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
-import type { Move } from "../kernel/move.ts";
-import { at, type Pt } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
-import { shippedTools } from "../program/shipped-tools.ts";
+import type { Move } from "../kernel/plan/move.ts";
+import { at, type Pt } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
+import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { moveAt, positionNear } from "./pick.ts";
 
 const [tool] = shippedTools;

@@ -1,6 +1,6 @@
-import { part, type Pt, type Segment } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
-import { pathOf } from "../kernel/time.ts";
+import { part, type Pt, type Segment } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
+import { pathOf } from "../kernel/time/time.ts";
 import type { PlayPosition } from "../sim/simulation.ts";
 
 /** How the steps of a path are looked at: the way of each, and whether it cuts. */

@@ -1,6 +1,6 @@
 import type { Group, Outline } from "../cycles/define.ts";
-import { toPart } from "../kernel/flat.ts";
-import { part } from "../kernel/point.ts";
+import { toPart } from "../kernel/geometry/flat.ts";
+import { part } from "../kernel/geometry/point.ts";
 import type { Place } from "./camera.ts";
 import { polygon, polyline } from "./help/marks.ts";
 import { PICTOGRAM, type Pictogram } from "./pictogram-box.ts";

@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
-import type { Move } from "../kernel/move.ts";
-import type { Pt, Ring, Segment } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
-import type { Tool } from "../kernel/tool.ts";
+import type { Move } from "../kernel/plan/move.ts";
+import type { Pt, Ring, Segment } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
 import { axial, degrees, feed, length, radius } from "../kernel/units.ts";
 import { fitted } from "./camera.ts";
 import { segmentData } from "./path.ts";

@@ -1,9 +1,9 @@
-import type { Clamped } from "../kernel/clamping.ts";
-import { insertOutline } from "../kernel/insert.ts";
-import type { Move } from "../kernel/move.ts";
-import type { Pt, Ring, Segment } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
-import type { Tool } from "../kernel/tool.ts";
+import type { Clamped } from "../kernel/area/clamping.ts";
+import { insertOutline } from "../kernel/cutter/insert.ts";
+import type { Move } from "../kernel/plan/move.ts";
+import type { Pt, Ring, Segment } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
+import type { Tool } from "../kernel/plan/tool.ts";
 import { boundsOf, grownBounds, joined, pointsOf } from "./bounds.ts";
 import type { Bounds } from "./camera.ts";
 import { chuckDrawing, type ChuckDrawing } from "./material/chuck.ts";

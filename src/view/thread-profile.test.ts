@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import type { ThreadPlan } from "../kernel/plan.ts";
-import { at } from "../kernel/point.ts";
+import type { ThreadPlan } from "../kernel/plan/plan.ts";
+import { at } from "../kernel/geometry/point.ts";
 import { length } from "../kernel/units.ts";
 import { threadProfile } from "./thread-profile.ts";
 

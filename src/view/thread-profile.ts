@@ -1,4 +1,4 @@
-import type { ThreadPlan } from "../kernel/plan.ts";
+import type { ThreadPlan } from "../kernel/plan/plan.ts";
 
 /** The chip of one pass: what of the groove it takes that no pass before it took, as a closed line of the drawing. */
 export interface ThreadChip {

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { at } from "../kernel/point.ts";
+import { at } from "../kernel/geometry/point.ts";
 import { thumbnailOf } from "./thumbnail.ts";
 
 const ring = (...points: [number, number][]) => points.map(([z, r]) => at(z, r));

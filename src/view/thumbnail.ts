@@ -1,4 +1,4 @@
-import type { Pt, Ring } from "../kernel/point.ts";
+import type { Pt, Ring } from "../kernel/geometry/point.ts";
 import { boundsOf } from "./bounds.ts";
 
 /** Numbers of an SVG `viewBox`. Such a picture is in part space turned up: x is z, y is −r, both mm. */

@@ -1,6 +1,6 @@
-import { part, type Pt } from "../kernel/point.ts";
-import type { Step } from "../kernel/step.ts";
-import { pathOf } from "../kernel/time.ts";
+import { part, type Pt } from "../kernel/geometry/point.ts";
+import type { Step } from "../kernel/time/step.ts";
+import { pathOf } from "../kernel/time/time.ts";
 import type { PlayPosition } from "../sim/simulation.ts";
 
 /** The tip at a position of a run, on its line or arc; null in an empty run. */

@@ -1,9 +1,9 @@
 import { describe, expect, test } from "vitest";
 import { verified } from "../../scripts/verify.ts";
-import { shippedTools } from "../../src/program/shipped-tools.ts";
+import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 import type { Report } from "../../src/report/report.ts";
 import type { ReportMove } from "../../src/report/report-moves.ts";
-import { over, readTools } from "../../src/program/read-tools.ts";
+import { over, readTools } from "../../src/program/tools/read-tools.ts";
 import { SEVERITY, type Expected } from "./expectation.ts";
 import { expected as others } from "./expected.ts";
 import { expectedCauses } from "./expected-causes.ts";

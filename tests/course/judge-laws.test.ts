@@ -2,8 +2,8 @@ import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { beyond } from "../../src/course/judge/difference.ts";
 import { wantedPart } from "../../src/course/wanted-part.ts";
-import { areaOf } from "../../src/kernel/area.ts";
-import { at } from "../../src/kernel/point.ts";
+import { areaOf } from "../../src/kernel/area/area.ts";
+import { at } from "../../src/kernel/geometry/point.ts";
 import "../seed.ts";
 import { blankLine, judged, mm, NOSE, programOf, refusedBy, shoulders, sumOf, taskOf } from "./hand-turned.ts";
 

@@ -7,8 +7,8 @@ import { taskSchema } from "../../src/course/task.ts";
 import { LANGUAGES } from "../../src/i18n/languages.ts";
 import { radius, toDiameter } from "../../src/kernel/units.ts";
 import { parse } from "../../src/nc/parse.ts";
-import { run } from "../../src/program/run.ts";
-import { shippedTools } from "../../src/program/shipped-tools.ts";
+import { run } from "../../src/program/run/run.ts";
+import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 
 const files = import.meta.glob<unknown>("../../src/course/lessons/*.json", { eager: true, import: "default" });
 const tasks = import.meta.glob<unknown>("../../src/course/tasks/*.json", { eager: true, import: "default" });

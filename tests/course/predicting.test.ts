@@ -4,7 +4,7 @@ import { answerOf } from "../../src/course/judge/answer.ts";
 import { judge } from "../../src/course/judge/judge.ts";
 import { isRight, truthOf } from "../../src/course/judge/predicting.ts";
 import { taskSchema, type Prediction } from "../../src/course/task.ts";
-import { at } from "../../src/kernel/point.ts";
+import { at } from "../../src/kernel/geometry/point.ts";
 import { judged, programOf, taskOf, type Shoulder } from "./hand-turned.ts";
 
 const s: Shoulder = { outer: 71.3, diameter: 64.18, length: 27.45 };

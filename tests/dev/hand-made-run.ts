@@ -1,13 +1,13 @@
-import type { Move } from "../../src/kernel/move.ts";
-import type { Plan } from "../../src/kernel/plan.ts";
-import type { Pt, Ring, Segment } from "../../src/kernel/point.ts";
-import type { Step } from "../../src/kernel/step.ts";
-import type { Spindle } from "../../src/kernel/step.ts";
-import { secondsOf } from "../../src/kernel/time.ts";
+import type { Move } from "../../src/kernel/plan/move.ts";
+import type { Plan } from "../../src/kernel/plan/plan.ts";
+import type { Pt, Ring, Segment } from "../../src/kernel/geometry/point.ts";
+import type { Step } from "../../src/kernel/time/step.ts";
+import type { Spindle } from "../../src/kernel/time/step.ts";
+import { secondsOf } from "../../src/kernel/time/time.ts";
 import { axial, feed, length, radius } from "../../src/kernel/units.ts";
-import { NO_TIMING } from "../../src/program/run-times.ts";
-import type { Operation, Run } from "../../src/program/run-types.ts";
-import { shippedTools } from "../../src/program/shipped-tools.ts";
+import { NO_TIMING } from "../../src/program/run/run-times.ts";
+import type { Operation, Run } from "../../src/program/state/run-types.ts";
+import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 import { simulate } from "../../src/sim/simulate.ts";
 
 const at = (r: number, z: number): Pt => ({ z: axial(z), r: radius(r) });

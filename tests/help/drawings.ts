@@ -3,7 +3,7 @@ import { likelyCompletion } from "../../src/cycles/completions.ts";
 import type { Cycle, Given } from "../../src/cycles/define.ts";
 import { firstValues } from "../../src/cycles/first-values.ts";
 import { pointPlan } from "../../src/cycles/point-plan.ts";
-import { contourFrom } from "../../src/kernel/contour.ts";
+import { contourFrom } from "../../src/kernel/contour/contour.ts";
 import { axial, diameter, toRadius } from "../../src/kernel/units.ts";
 import type { Size } from "../../src/view/camera.ts";
 import type { Numbers, Speech } from "../../src/view/help/lettering.ts";

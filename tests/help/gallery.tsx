@@ -5,7 +5,7 @@ import "../../src/app/base/styles/base.css";
 import "../../src/app/base/styles/dialog.css";
 import { HelpPicture } from "../../src/app/pictures/help/HelpPicture.tsx";
 import { catalogue } from "../../src/cycles/index.ts";
-import { contourFrom } from "../../src/kernel/contour.ts";
+import { contourFrom } from "../../src/kernel/contour/contour.ts";
 import { axial, diameter, toRadius } from "../../src/kernel/units.ts";
 
 const ask = new URLSearchParams(location.search);

@@ -5,7 +5,7 @@ import { createRoot } from "react-dom/client";
 import "../../src/app/base/styles/base.css";
 import { ContourTable } from "../../src/features/contour/ContourTable.tsx";
 import { cycleByNumber } from "../../src/cycles/index.ts";
-import { exampleJob, newRow, type ContourRow } from "../../src/program/job.ts";
+import { exampleJob, newRow, type ContourRow } from "../../src/program/job/job.ts";
 
 const ask = new URLSearchParams(location.search);
 if (ask.get("theme")) document.documentElement.dataset["theme"] = ask.get("theme") ?? "";

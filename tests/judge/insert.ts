@@ -1,4 +1,4 @@
-import type { Tool } from "../../src/kernel/tool.ts";
+import type { Tool } from "../../src/kernel/plan/tool.ts";
 
 /*
  * The insert once more, from the columns of the tool table alone: a convex polygon about the theoretical tip. Nothing here

@@ -1,10 +1,10 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { areaOf as ringArea } from "../../src/kernel/area.ts";
-import { difference } from "../../src/kernel/clip.ts";
-import { insertOutline } from "../../src/kernel/insert.ts";
-import type { Move } from "../../src/kernel/move.ts";
-import { TOOL_TYPES, type TipOrientation, type Tool } from "../../src/kernel/tool.ts";
+import { areaOf as ringArea } from "../../src/kernel/area/area.ts";
+import { difference } from "../../src/kernel/area/clip.ts";
+import { insertOutline } from "../../src/kernel/cutter/insert.ts";
+import type { Move } from "../../src/kernel/plan/move.ts";
+import { TOOL_TYPES, type TipOrientation, type Tool } from "../../src/kernel/plan/tool.ts";
 import { axial, degrees, feed, length, radius } from "../../src/kernel/units.ts";
 import { areaOf, common, crossed, each, filled, grown, shrunk, without } from "./field.ts";
 import { hull, insertOf, type P } from "./insert.ts";

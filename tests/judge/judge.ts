@@ -1,5 +1,5 @@
-import type { Move } from "../../src/kernel/move.ts";
-import type { Tool } from "../../src/kernel/tool.ts";
+import type { Move } from "../../src/kernel/plan/move.ts";
+import type { Tool } from "../../src/kernel/plan/tool.ts";
 import { areaOf, common, crossed, filled, lengthOf, shrunk, without, type Field, type Grid } from "./field.ts";
 import { heldIn } from "./held.ts";
 import { hull, insertOf, type P } from "./insert.ts";

@@ -1,9 +1,9 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import { parse } from "../../src/nc/parse.ts";
-import { planMemory } from "../../src/program/plan-memory.ts";
-import { run } from "../../src/program/run.ts";
-import { shippedTools } from "../../src/program/shipped-tools.ts";
+import { planMemory } from "../../src/program/state/plan-memory.ts";
+import { run } from "../../src/program/run/run.ts";
+import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 import { simulate, simulating } from "../../src/sim/simulate.ts";
 import type { Simulation } from "../../src/sim/simulation.ts";
 

@@ -1,8 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import type { Cycle } from "../../src/cycles/define.ts";
-import type { Ring } from "../../src/kernel/point.ts";
-import { areaOutside } from "../../src/kernel/real-area.ts";
+import type { Ring } from "../../src/kernel/geometry/point.ts";
+import { areaOutside } from "../../src/kernel/area/real-area.ts";
 import { casesOf, situations, type Situation } from "./situation.ts";
 import { simulated, startsBadly } from "./worked-plans.ts";
 

@@ -1,9 +1,9 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { plane, type PlanePoint, type PlaneSegment } from "../../src/kernel/plane.ts";
+import { plane, type PlanePoint, type PlaneSegment } from "../../src/kernel/plane/plane.ts";
 import { parse } from "../../src/nc/parse.ts";
-import type { PlaneStep } from "../../src/program/plane-types.ts";
-import { run } from "../../src/program/run.ts";
+import type { PlaneStep } from "../../src/program/tools/plane-types.ts";
+import { run } from "../../src/program/run/run.ts";
 
 const { apart, direction } = plane;
 

@@ -1,7 +1,7 @@
 import type { Draw } from "../../src/cycles/drawn-setup.ts";
-import type { ContourElement } from "../../src/kernel/contour.ts";
-import { at, type Pt } from "../../src/kernel/point.ts";
-import { UNDERCUT_FORMS, type RecessWords, type UndercutForm } from "../../src/kernel/undercut.ts";
+import type { ContourElement } from "../../src/kernel/contour/contour.ts";
+import { at, type Pt } from "../../src/kernel/geometry/point.ts";
+import { UNDERCUT_FORMS, type RecessWords, type UndercutForm } from "../../src/kernel/contour/undercut.ts";
 import type { Open } from "../judge/least.ts";
 
 /*

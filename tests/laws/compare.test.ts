@@ -7,10 +7,10 @@ import { blockText } from "../../src/nc/print.ts";
 import type { Program } from "../../src/nc/program.ts";
 import type { Style } from "../../src/nc/style.ts";
 import { comparePrograms, type BlockDifference } from "../../src/program/compare/compare.ts";
-import { exampleJob } from "../../src/program/job.ts";
-import { printJob } from "../../src/program/print-job.ts";
-import { setupOf, withSetup } from "../../src/program/setup.ts";
-import { shippedTools } from "../../src/program/shipped-tools.ts";
+import { exampleJob } from "../../src/program/job/job.ts";
+import { printJob } from "../../src/program/job/print-job.ts";
+import { setupOf, withSetup } from "../../src/program/job/setup.ts";
+import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 
 const samples = Object.values({
   ...import.meta.glob<string>("../programs/**/*.h", { query: "?raw", import: "default", eager: true }),

@@ -1,9 +1,9 @@
 import type { Cycle } from "../../src/cycles/define.ts";
-import type { Plan } from "../../src/kernel/plan.ts";
-import { areaOf as polygonArea } from "../../src/kernel/area.ts";
-import { difference, intersection, offset } from "../../src/kernel/clip.ts";
-import { areaOutside } from "../../src/kernel/real-area.ts";
-import { at, type Segment } from "../../src/kernel/point.ts";
+import type { Plan } from "../../src/kernel/plan/plan.ts";
+import { areaOf as polygonArea } from "../../src/kernel/area/area.ts";
+import { difference, intersection, offset } from "../../src/kernel/area/clip.ts";
+import { areaOutside } from "../../src/kernel/area/real-area.ts";
+import { at, type Segment } from "../../src/kernel/geometry/point.ts";
 import { cutEnds } from "../../src/sim/held.ts";
 import { areaOf, common, each, filled, grown, without, withoutCrumbs, type Field, type Grid } from "../judge/field.ts";
 import { heldIn } from "../judge/held.ts";

@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { neutralOf, saysNothing } from "../../src/cycles/effect.ts";
 import { cuttingCycles } from "../../src/cycles/index.ts";
-import { kept } from "../../src/program/field.ts";
+import { kept } from "../../src/program/values/field.ts";
 import type { Param } from "../../src/cycles/params.ts";
 import { casesOf, situations, type Situation } from "./situation.ts";
 import { planOf } from "./worked-plans.ts";

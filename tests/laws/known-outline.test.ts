@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { situations } from "./situation.ts";
-import { at } from "../../src/kernel/point.ts";
+import { at } from "../../src/kernel/geometry/point.ts";
 import { firstValues } from "../../src/cycles/first-values.ts";
 import { cuttingCycles, cycleByNumber } from "../../src/cycles/index.ts";
 import { knownOutline, sameSegment } from "../../src/cycles/known-outline.ts";

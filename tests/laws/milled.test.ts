@@ -1,10 +1,10 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import type { Ring } from "../../src/kernel/point.ts";
+import type { Ring } from "../../src/kernel/geometry/point.ts";
 import { parse } from "../../src/nc/parse.ts";
 import { milledStock } from "../../src/sim/plane/milled.ts";
-import { run } from "../../src/program/run.ts";
-import type { PlaneStep } from "../../src/program/plane-types.ts";
+import { run } from "../../src/program/run/run.ts";
+import type { PlaneStep } from "../../src/program/tools/plane-types.ts";
 
 /*
  * Laws over the stock of whole milling programs with RL and RR: what the app takes away is held against points of a second

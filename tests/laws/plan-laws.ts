@@ -1,9 +1,9 @@
 import type { Cycle } from "../../src/cycles/define.ts";
-import type { Move } from "../../src/kernel/move.ts";
-import type { Plan } from "../../src/kernel/plan.ts";
-import { at, part, type Pt, type Ring } from "../../src/kernel/point.ts";
+import type { Move } from "../../src/kernel/plan/move.ts";
+import type { Plan } from "../../src/kernel/plan/plan.ts";
+import { at, part, type Pt, type Ring } from "../../src/kernel/geometry/point.ts";
 import { ROUND, SAME } from "../../src/kernel/tolerance.ts";
-import type { TipOrientation } from "../../src/kernel/tool.ts";
+import type { TipOrientation } from "../../src/kernel/plan/tool.ts";
 import type { Finding, Situation } from "./situation.ts";
 import { planOf } from "./worked-plans.ts";
 

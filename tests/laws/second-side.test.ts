@@ -1,14 +1,14 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import { refusals } from "../../src/control-file/refusals.ts";
-import { areaOf } from "../../src/kernel/area.ts";
-import { difference, offset, union } from "../../src/kernel/clip.ts";
-import { at, type Pt, type Ring } from "../../src/kernel/point.ts";
+import { areaOf } from "../../src/kernel/area/area.ts";
+import { difference, offset, union } from "../../src/kernel/area/clip.ts";
+import { at, type Pt, type Ring } from "../../src/kernel/geometry/point.ts";
 import { parse } from "../../src/nc/parse.ts";
-import { NC_OUTPUTS } from "../../src/program/nc-output.ts";
-import { run } from "../../src/program/run.ts";
-import { secondSide, turnedRound } from "../../src/program/second-side.ts";
-import { shippedTools } from "../../src/program/shipped-tools.ts";
+import { NC_OUTPUTS } from "../../src/program/machine/nc-output.ts";
+import { run } from "../../src/program/run/run.ts";
+import { secondSide, turnedRound } from "../../src/program/edits/second-side.ts";
+import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 import { regionsOf } from "../../src/sim/region.ts";
 import { simulate } from "../../src/sim/simulate.ts";
 

@@ -2,10 +2,10 @@ import fc from "fast-check";
 import type { Cycle, Given } from "../../src/cycles/define.ts";
 import type { Draw, DrawnSetup, Setups } from "../../src/cycles/drawn-setup.ts";
 import { catalogue } from "../../src/cycles/index.ts";
-import { at, type Pt, type Ring } from "../../src/kernel/point.ts";
-import type { TipOrientation, Tool } from "../../src/kernel/tool.ts";
+import { at, type Pt, type Ring } from "../../src/kernel/geometry/point.ts";
+import type { TipOrientation, Tool } from "../../src/kernel/plan/tool.ts";
 import { length, rounded } from "../../src/kernel/units.ts";
-import { shippedTools } from "../../src/program/shipped-tools.ts";
+import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 
 /**
  * One random set-up of a cycle: values, contour, tool, start point and the blank that fits them. Plain data: it can be written

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { c831 } from "../../src/cycles/c831.ts";
-import { at } from "../../src/kernel/point.ts";
-import { shippedTools } from "../../src/program/shipped-tools.ts";
+import { at } from "../../src/kernel/geometry/point.ts";
+import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 import type { Situation } from "./situation.ts";
 import { planOf, simulated } from "./worked-plans.ts";
 

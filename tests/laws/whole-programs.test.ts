@@ -1,8 +1,8 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import { parse } from "../../src/nc/parse.ts";
-import { run } from "../../src/program/run.ts";
-import { shippedTools } from "../../src/program/shipped-tools.ts";
+import { run } from "../../src/program/run/run.ts";
+import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 import { cutEnds } from "../../src/sim/held.ts";
 import { stockIssues } from "../../src/sim/issues.ts";
 import { simulate } from "../../src/sim/simulate.ts";

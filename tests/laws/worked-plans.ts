@@ -1,6 +1,6 @@
 import type { Cycle } from "../../src/cycles/define.ts";
-import type { Plan, Setting } from "../../src/kernel/plan.ts";
-import type { Step } from "../../src/kernel/step.ts";
+import type { Plan, Setting } from "../../src/kernel/plan/plan.ts";
+import type { Step } from "../../src/kernel/time/step.ts";
 import { simulate } from "../../src/sim/simulate.ts";
 import type { Situation } from "./situation.ts";
 

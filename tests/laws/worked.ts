@@ -1,6 +1,6 @@
 import type { Cycle } from "../../src/cycles/define.ts";
-import type { Plan } from "../../src/kernel/plan.ts";
-import { part, type Ring } from "../../src/kernel/point.ts";
+import type { Plan } from "../../src/kernel/plan/plan.ts";
+import { part, type Ring } from "../../src/kernel/geometry/point.ts";
 import type { Simulation } from "../../src/sim/simulation.ts";
 import type { P } from "../judge/insert.ts";
 import { gridOver, judge, type Verdict } from "../judge/judge.ts";

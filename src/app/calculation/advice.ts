@@ -1,9 +1,9 @@
 import type { Wanted } from "../../cycles/wanted.ts";
-import type { Ring } from "../../kernel/point.ts";
-import type { Tool } from "../../kernel/tool.ts";
-import type { SetJob } from "../../program/job.ts";
-import { tipAtCall } from "../../program/wanted-job.ts";
-import type { ToolFit } from "../../program/which-tool.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import type { SetJob } from "../../program/job/job.ts";
+import { tipAtCall } from "../../program/job/wanted-job.ts";
+import type { ToolFit } from "../../program/tools/which-tool.ts";
 import { remedies, type Remedy } from "../../report/remedies.ts";
 import { tryWay, type Tried } from "../../report/which/try-way.ts";
 import { waysFor, type Proposal } from "../../report/which/ways.ts";

@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import type { ShownBodies } from "../../view/solid/shown-bodies.ts";
 import { buffersOf, turnedBodies, type BodiesGiven, type BodiesWanted } from "./bodies.ts";
 import { engine } from "./engine.ts";

@@ -1,4 +1,4 @@
-import type { Ring } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import { playerOf } from "../../sim/stock.ts";
 import { statedSteps } from "../../view/solid/bodies.ts";
 import { buffersOf, shownBodies, type BodiesAsked, type ShownBodies, type TurnedRun } from "../../view/solid/shown-bodies.ts";

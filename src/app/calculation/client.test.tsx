@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
-import { exampleJob } from "../../program/job.ts";
+import { exampleJob } from "../../program/job/job.ts";
 import { begin, edit } from "../document/store.ts";
 import { calculateAgain, cancelCalculation, startEngine } from "./client.ts";
 import { engine } from "./engine.ts";

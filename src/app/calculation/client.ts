@@ -1,7 +1,7 @@
 import { proxy, type Remote } from "comlink";
-import { fileKey } from "../../program/program-files.ts";
-import type { ShopTools } from "../../program/read-tools.ts";
-import type { Control } from "../../program/plane-types.ts";
+import { fileKey } from "../../program/state/program-files.ts";
+import type { ShopTools } from "../../program/tools/read-tools.ts";
+import type { Control } from "../../program/tools/plane-types.ts";
 import { afterPicture } from "../base/after-picture.ts";
 import { machineAtHand, useMachineReader } from "./machine-reader.ts";
 import { printedText } from "../document/printed.ts";

@@ -1,4 +1,4 @@
-import type { Run } from "../../program/run-types.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { milledStock, type MilledInput, type MilledStock } from "../../sim/plane/milled.ts";
 import { playerOf } from "../../sim/stock.ts";

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { findingsOf } from "../findings/findings.ts";
 import { judged } from "../findings/verdict.ts";
 import { verdictReasons, verdictTitle } from "../findings/verdict-words.ts";

@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from "react";
-import type { ToolFit } from "../../program/which-tool.ts";
-import type { SetJob } from "../../program/job.ts";
+import type { ToolFit } from "../../program/tools/which-tool.ts";
+import type { SetJob } from "../../program/job/job.ts";
 import { useEditor } from "../document/store.ts";
 import { fitsOf, fitsOfCall, fitsOfWork } from "./tool-questions.ts";
 import { useOutcome } from "./outcome.ts";

@@ -1,11 +1,11 @@
 import type { Given } from "../../cycles/define.ts";
-import { at, type Pt } from "../../kernel/point.ts";
+import { at, type Pt } from "../../kernel/geometry/point.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
-import { readRows } from "../../program/contour-rows.ts";
-import { readText } from "../../program/field.ts";
-import type { Job } from "../../program/job.ts";
-import { knownParameters } from "../../program/job-parameters.ts";
-import { SETUP_FIELDS } from "../../program/setup-fields.ts";
+import { readRows } from "../../program/job/contour-rows.ts";
+import { readText } from "../../program/values/field.ts";
+import type { Job } from "../../program/job/job.ts";
+import { knownParameters } from "../../program/job/job-parameters.ts";
+import { SETUP_FIELDS } from "../../program/job/setup-fields.ts";
 import type { JobReading } from "../document/reading.ts";
 
 /** The contour of the table. */

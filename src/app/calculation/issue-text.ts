@@ -4,7 +4,7 @@ import type { Spoken } from "../../i18n/lengths.ts";
 import type { Texts } from "../../i18n/index.ts";
 import { messageIn } from "../../i18n/sentence.ts";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
-import type { RunFinding } from "../../program/run-types.ts";
+import type { RunFinding } from "../../program/state/run-types.ts";
 import { useLengths } from "./lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 

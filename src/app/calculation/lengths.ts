@@ -1,4 +1,4 @@
-import type { Run } from "../../program/run-types.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import { createContext, useContext, useMemo } from "react";
 import type { Language } from "../../i18n/languages.ts";
 import { lengthsIn, type Lengths } from "../../i18n/lengths.ts";

@@ -1,4 +1,4 @@
-import type { Ring } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import type { LoadInput } from "../../sim/load/along.ts";
 import type { Outcome } from "./outcome.ts";
 

@@ -1,12 +1,12 @@
 import { create } from "zustand";
-import type { MachineData } from "../../program/machine-data.ts";
+import type { MachineData } from "../../program/machine/machine-data.ts";
 import { untilHere } from "../base/parts.ts";
 
 /** What reads machine files, fetched for the first one: most devices have none. */
 export const useMachineReader = create<{ readonly read: ((text: string) => MachineData | null) | null }>(() => ({ read: null }));
 
 async function fetchReader(): Promise<(text: string) => MachineData | null> {
-  const { machineOf: read } = await untilHere(() => import("../../program/machine-file.ts"));
+  const { machineOf: read } = await untilHere(() => import("../../program/machine/machine-file.ts"));
   useMachineReader.setState({ read });
   return read;
 }

@@ -1,5 +1,5 @@
-import { fileKey } from "../../program/program-files.ts";
-import type { RunFinding } from "../../program/run-types.ts";
+import { fileKey } from "../../program/state/program-files.ts";
+import type { RunFinding } from "../../program/state/run-types.ts";
 import type { Outcome } from "./outcome.ts";
 import { fileOf, type ProgramWork } from "../document/work.ts";
 

@@ -1,9 +1,9 @@
-import type { Pt, Ring } from "../../kernel/point.ts";
-import type { Step } from "../../kernel/step.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import type { Pt, Ring } from "../../kernel/geometry/point.ts";
+import type { Step } from "../../kernel/time/step.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Chip } from "../../sim/chip/chip.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
-import type { Run } from "../../program/run-types.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import { spindleAt, turnsBack } from "../../sim/load/spindles.ts";
 import type { PaintedRun } from "../../view/material/stock-painter.ts";
 import { surfacesOf, type Surfaces } from "../../view/material/surfaces.ts";

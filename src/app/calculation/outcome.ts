@@ -2,7 +2,7 @@ import { chooseFinding } from "../document/chosen.ts";
 import { clearSelection } from "../document/selected.ts";
 import { heldWhileTyping } from "../base/typing.ts";
 import { filesOf, type ProgramWork, type WorkFile } from "../document/work.ts";
-import type { Run } from "../../program/run-types.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 
 /** What comes of a program text without a stock. Plain data. */

@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { EXAMPLE_MACHINES } from "../../program/example-machines.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { EXAMPLE_MACHINES } from "../../program/machine/example-machines.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { engine } from "./engine.ts";
 import { planned, planner } from "./plan.ts";
 

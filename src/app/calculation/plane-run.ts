@@ -1,5 +1,5 @@
-import type { ApproachRun } from "../../program/plane-types.ts";
-import type { Run } from "../../program/run-types.ts";
+import type { ApproachRun } from "../../program/tools/plane-types.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import { planeScene, type PlaneScene } from "../../view/approach/plane-scene.ts";
 
 /** What the working plane shows of a run. */

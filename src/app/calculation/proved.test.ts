@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { engine, makersAgain } from "./engine.ts";
 import type { Outcome } from "./outcome.ts";

@@ -1,4 +1,4 @@
-import type { Run } from "../../program/run-types.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import type { Checkpoint, Simulation } from "../../sim/simulation.ts";
 
 /** A simulation without what the page has of it: its run, and the first marks of the one before. */

@@ -1,9 +1,9 @@
-import { readText } from "../../program/field.ts";
-import type { Job } from "../../program/job.ts";
-import type { MachineData } from "../../program/machine-data.ts";
-import type { Control } from "../../program/plane-types.ts";
-import type { ShopTools } from "../../program/read-tools.ts";
-import { SETUP_FIELDS } from "../../program/setup-fields.ts";
+import { readText } from "../../program/values/field.ts";
+import type { Job } from "../../program/job/job.ts";
+import type { MachineData } from "../../program/machine/machine-data.ts";
+import type { Control } from "../../program/tools/plane-types.ts";
+import type { ShopTools } from "../../program/tools/read-tools.ts";
+import { SETUP_FIELDS } from "../../program/job/setup-fields.ts";
 import type { WorkFile } from "../document/work.ts";
 
 /** A program to calculate. */

@@ -1,6 +1,6 @@
-import type { Job, SetJob } from "../../program/job.ts";
-import type { Operation } from "../../program/run-types.ts";
-import type { ToolFit } from "../../program/which-tool.ts";
+import type { Job, SetJob } from "../../program/job/job.ts";
+import type { Operation } from "../../program/state/run-types.ts";
+import type { ToolFit } from "../../program/tools/which-tool.ts";
 import type { Remedy } from "../../report/remedies.ts";
 import type { Residual } from "../../sim/simulation.ts";
 import { setJobOf } from "../document/reading.ts";

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { parse } from "../../nc/parse.ts";
-import { run } from "../../program/run.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { run } from "../../program/run/run.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { packPlane, unpackPlane } from "./wire.ts";
 
 const programs = import.meta.glob<string>("../../../tests/programs/**/*.h", { query: "?raw", import: "default", eager: true });

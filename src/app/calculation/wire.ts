@@ -1,5 +1,5 @@
 import { transferHandlers } from "comlink";
-import type { PlaneStep, Spot } from "../../program/plane-types.ts";
+import type { PlaneStep, Spot } from "../../program/tools/plane-types.ts";
 import type { Outcome } from "./outcome.ts";
 
 /** What few steps have: it is sent as it is. */

@@ -1,11 +1,11 @@
 import type { TurnedShape } from "../../cycles/define.ts";
 import type { Site, Wanted } from "../../cycles/wanted.ts";
-import type { Pt, Ring, Segment } from "../../kernel/point.ts";
+import type { Pt, Ring, Segment } from "../../kernel/geometry/point.ts";
 import { axial, diameter, length, rounded, toDiameter } from "../../kernel/units.ts";
-import { readRows } from "../../program/contour-rows.ts";
-import { anyNumber, readText, type Field } from "../../program/field.ts";
-import type { ContourRow } from "../../program/job.ts";
-import { boxAroundContour, rowsOf } from "../../program/wanted-shape.ts";
+import { readRows } from "../../program/job/contour-rows.ts";
+import { anyNumber, readText, type Field } from "../../program/values/field.ts";
+import type { ContourRow } from "../../program/job/job.ts";
+import { boxAroundContour, rowsOf } from "../../program/job/wanted-shape.ts";
 
 /** What stands in the chuck: all solid, the shape with an allowance, or what earlier operations have left. */
 export type StockChoice = "solid" | "preturned" | "now";

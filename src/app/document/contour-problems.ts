@@ -1,7 +1,7 @@
-import type { Issue } from "../../kernel/issue.ts";
-import { readRows, type RowIssue } from "../../program/contour-rows.ts";
-import type { ContourRow } from "../../program/job.ts";
-import { hasBlock } from "../../program/print-contour.ts";
+import type { Issue } from "../../kernel/plan/issue.ts";
+import { readRows, type RowIssue } from "../../program/job/contour-rows.ts";
+import type { ContourRow } from "../../program/job/job.ts";
+import { hasBlock } from "../../program/job/print-contour.ts";
 
 /** Findings that only the table knows: in the program text an open or unreadable element does not stand at all. */
 const ONLY_HERE: ReadonlySet<Issue["code"]> = new Set<Issue["code"]>([

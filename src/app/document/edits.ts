@@ -1,7 +1,7 @@
-import type { Measurement } from "../../kernel/measured.ts";
+import type { Measurement } from "../../kernel/plan/measured.ts";
 import type { ClampingDraft } from "../../program/clamping/words.ts";
-import type { BlankDraft, ContourRow, Job, SpindleDraft } from "../../program/job.ts";
-import type { Draft } from "../../program/read-draft.ts";
+import type { BlankDraft, ContourRow, Job, SpindleDraft } from "../../program/job/job.ts";
+import type { Draft } from "../../program/job/read-draft.ts";
 import { changeProgram, edit, useEditor, type Editor } from "./store.ts";
 import { LONGEST_REMARKS, MOST_MEASURED, type ProgramWork } from "./work.ts";
 

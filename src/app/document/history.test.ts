@@ -1,6 +1,6 @@
 import { beforeEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
-import { exampleJob } from "../../program/job.ts";
+import { exampleJob } from "../../program/job/job.ts";
 import { setPrompt } from "./edits.ts";
 import { showGuide, useGuidePlace } from "../place/guide-place.ts";
 import { redoStep, undoStep } from "./history.ts";

@@ -1,6 +1,6 @@
 import { useEffect, useMemo, useState } from "react";
-import type { Job } from "../../program/job.ts";
-import type { NcOutput } from "../../program/nc-output.ts";
+import type { Job } from "../../program/job/job.ts";
+import type { NcOutput } from "../../program/machine/nc-output.ts";
 import { isoFile, manualText, printedText, type IsoFile } from "./printed.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { changeProgram, edit, handedOn, useEditor } from "./store.ts";

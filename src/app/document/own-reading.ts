@@ -1,5 +1,5 @@
-import type { OwnCycle } from "../../program/own-cycle.ts";
-import { readLibrary, type OwnLibrary, type OwnList } from "../../program/own-library.ts";
+import type { OwnCycle } from "../../program/edits/own-cycle.ts";
+import { readLibrary, type OwnLibrary, type OwnList } from "../../program/edits/own-library.ts";
 import { useOwn } from "./own-store.ts";
 
 const read = new WeakMap<OwnList, OwnLibrary>();

@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import type { OwnList } from "../../program/own-library.ts";
+import type { OwnList } from "../../program/edits/own-library.ts";
 import { forget, goesOn, noteChange } from "./steps.ts";
 
 /** The cycles of this device's operator, as typed. They belong to no program: any of them may call one. */

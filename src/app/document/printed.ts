@@ -1,7 +1,7 @@
 import { ncLabels } from "../../i18n/nc-labels.ts";
-import type { Tool } from "../../kernel/tool.ts";
-import type { Job, SetJob } from "../../program/job.ts";
-import { printAsInManual, printJob } from "../../program/print-job.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import type { Job, SetJob } from "../../program/job/job.ts";
+import { printAsInManual, printJob } from "../../program/job/print-job.ts";
 import { untilHere } from "../base/parts.ts";
 import { setJobOf } from "./reading.ts";
 

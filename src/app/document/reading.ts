@@ -1,10 +1,10 @@
 import type { Cycle } from "../../cycles/define.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
-import type { Job, SetJob } from "../../program/job.ts";
-import { knownParameters } from "../../program/job-parameters.ts";
-import { readDraft, type Draft, type DraftReading } from "../../program/read-draft.ts";
-import { setupOf, withSetup, type Setup } from "../../program/setup.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import type { Job, SetJob } from "../../program/job/job.ts";
+import { knownParameters } from "../../program/job/job-parameters.ts";
+import { readDraft, type Draft, type DraftReading } from "../../program/job/read-draft.ts";
+import { setupOf, withSetup, type Setup } from "../../program/job/setup.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { draftOf } from "./edits.ts";
 import { useEditor } from "./store.ts";
 import { toolTable, useToolList } from "./work-tools.ts";

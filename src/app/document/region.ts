@@ -1,6 +1,6 @@
 import type { Site } from "../../cycles/wanted.ts";
-import type { Ring } from "../../kernel/point.ts";
-import type { Operation, Run } from "../../program/run-types.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import type { Operation, Run } from "../../program/state/run-types.ts";
 import type { WhichRegion } from "./asking.ts";
 
 /** The side from which an operation works. */

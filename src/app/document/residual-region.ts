@@ -1,5 +1,5 @@
-import { part, type Pt, type Ring, type Segment } from "../../kernel/point.ts";
-import type { Operation } from "../../program/run-types.ts";
+import { part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
+import type { Operation } from "../../program/state/run-types.ts";
 import type { Residual } from "../../sim/simulation.ts";
 import type { WhichRegion } from "./asking.ts";
 import { siteOfOperation } from "./region.ts";

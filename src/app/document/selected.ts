@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import type { PathChoice } from "../../program/path-index.ts";
+import type { PathChoice } from "../../program/run/path-index.ts";
 
 /**
  * What was pointed at last, wherever that was: in the text, in the picture, in the contour table. Where the tool stands is the playback's

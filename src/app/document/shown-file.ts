@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import { fileKey } from "../../program/program-files.ts";
+import { fileKey } from "../../program/state/program-files.ts";
 import { useEditor } from "./store.ts";
 import { filesOf, fileOf, type ProgramWork, type WorkFile } from "./work.ts";
 

@@ -1,5 +1,5 @@
-import { fileKey } from "../../program/program-files.ts";
-import type { Operation, RunFinding } from "../../program/run-types.ts";
+import { fileKey } from "../../program/state/program-files.ts";
+import type { Operation, RunFinding } from "../../program/state/run-types.ts";
 
 /** Where something stands: in the program that runs, or in a file that it calls. */
 type Placed = Pick<RunFinding, "block" | "line"> & { readonly inFile?: RunFinding["inFile"] | undefined };

@@ -1,8 +1,8 @@
 import { beforeEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
-import { exampleJob } from "../../program/job.ts";
-import { cellOf } from "../../program/tool-entry.ts";
-import { shippedList } from "../../program/tool-list.ts";
+import { exampleJob } from "../../program/job/job.ts";
+import { cellOf } from "../../program/tools/tool-entry.ts";
+import { shippedList } from "../../program/tools/tool-list.ts";
 import { draftOf, setBlank, setPrompt, setTool } from "./edits.ts";
 import { redoStep, undoStep } from "./history.ts";
 import { asOneStep, closeStep, redo, undo, useSteps } from "./steps.ts";

@@ -1,4 +1,4 @@
-import type { HandedOn, Job } from "../../program/job.ts";
+import type { HandedOn, Job } from "../../program/job/job.ts";
 import { closeStep, forget, goesOn, note, noteChange, stepBetween } from "./steps.ts";
 import { heldWhileTyping } from "../base/typing.ts";
 import { isProgram, type ProgramWork, type Work } from "./work.ts";

@@ -1,4 +1,4 @@
-import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
+import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { useTableTexts } from "../base/settings/use-table-texts.ts";
 
 /** What a row is called: its number and name, as typed. */

@@ -1,5 +1,5 @@
 import { z } from "zod/mini";
-import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS } from "../../program/tool-columns.ts";
+import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS } from "../../program/tools/tool-columns.ts";
 
 const cellText = z.string().check(z.maxLength(500));
 const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS]), cellText);

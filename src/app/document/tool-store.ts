@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import { readList, sameList, shippedList, type ToolList, type ToolListReading } from "../../program/tool-list.ts";
+import { readList, sameList, shippedList, type ToolList, type ToolListReading } from "../../program/tools/tool-list.ts";
 import { forget, goesOn, noteChange } from "./steps.ts";
 
 /** The tool table of this device, as typed. It belongs to no program: all of them call its tools but those that bring their own. */

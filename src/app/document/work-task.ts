@@ -1,4 +1,4 @@
-import type { TaskWork } from "../../program/job.ts";
+import type { TaskWork } from "../../program/job/job.ts";
 import { edit, changeProgram, useEditor, type Editor } from "./store.ts";
 
 /** The task that the open work is; undefined of any other work. */

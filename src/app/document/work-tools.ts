@@ -1,6 +1,6 @@
-import type { HandedOn, TaskWork } from "../../program/job.ts";
-import type { Control } from "../../program/plane-types.ts";
-import type { ToolList } from "../../program/tool-list.ts";
+import type { HandedOn, TaskWork } from "../../program/job/job.ts";
+import type { Control } from "../../program/tools/plane-types.ts";
+import type { ToolList } from "../../program/tools/tool-list.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { handedOn, useEditor } from "./store.ts";
 import { toolsOnDevice, useTools } from "./tool-store.ts";

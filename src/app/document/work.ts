@@ -1,7 +1,7 @@
-import type { Measurement } from "../../kernel/measured.ts";
-import type { HandedOn, Job, TaskWork } from "../../program/job.ts";
-import type { NcOutput } from "../../program/nc-output.ts";
-import { fileKey } from "../../program/program-files.ts";
+import type { Measurement } from "../../kernel/plan/measured.ts";
+import type { HandedOn, Job, TaskWork } from "../../program/job/job.ts";
+import type { NcOutput } from "../../program/machine/nc-output.ts";
+import { fileKey } from "../../program/state/program-files.ts";
 
 /** How the bytes of a program file stand for characters. Controls also write files that are not UTF-8. */
 export type Encoding = "utf-8" | "windows-1252";

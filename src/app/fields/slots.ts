@@ -2,7 +2,7 @@ import type { ComponentType } from "react";
 import type { Task } from "../../course/task.ts";
 import type { Cycle } from "../../cycles/define.ts";
 import type { Language } from "../../i18n/languages.ts";
-import type { ContourRow } from "../../program/job.ts";
+import type { ContourRow } from "../../program/job/job.ts";
 import { slot } from "../base/slot.ts";
 import type { Work } from "../document/work.ts";
 import type { ShownVerdict } from "../findings/verdict.ts";

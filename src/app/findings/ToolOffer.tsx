@@ -1,5 +1,5 @@
 import { useEffect, useState } from "react";
-import type { ToolFit } from "../../program/which-tool.ts";
+import type { ToolFit } from "../../program/tools/which-tool.ts";
 import { BY_TOOL } from "../../report/offered-tool.ts";
 import { fitsOfCall } from "../calculation/tool-questions.ts";
 import { useOutcome } from "../calculation/outcome.ts";

@@ -1,10 +1,10 @@
-import type { Pt } from "../../kernel/point.ts";
-import type { Severity } from "../../kernel/issue.ts";
+import type { Pt } from "../../kernel/geometry/point.ts";
+import type { Severity } from "../../kernel/plan/issue.ts";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
 import { QUESTIONS } from "../../sim/causes.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";
-import type { RunFinding } from "../../program/run-types.ts";
+import type { RunFinding } from "../../program/state/run-types.ts";
 
 /** Where a finding is to be seen in the picture, and when. */
 export interface FindingSpot {

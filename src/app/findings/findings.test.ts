@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { findings as english } from "../../i18n/en/findings.ts";
-import { spotOn } from "../../kernel/mill-motion.ts";
-import { exampleJob, UNSET, type Job } from "../../program/job.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { spotOn } from "../../kernel/plane/mill-motion.ts";
+import { exampleJob, UNSET, type Job } from "../../program/job/job.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { engine } from "../calculation/engine.ts";
 import type { Outcome } from "../calculation/outcome.ts";
 import { printedText } from "../document/printed.ts";

@@ -1,6 +1,6 @@
-import { issue as contourIssue } from "../../kernel/issue.ts";
+import { issue as contourIssue } from "../../kernel/plan/issue.ts";
 import type { AnyIssue } from "../../i18n/message-texts.ts";
-import { setupQuestions } from "../../program/setup-questions.ts";
+import { setupQuestions } from "../../program/job/setup-questions.ts";
 import { placesJoined, workOf } from "../../report/places.ts";
 import { followsQuestion, QUESTIONS } from "../../sim/causes.ts";
 import { stockIssues } from "../../sim/issues.ts";

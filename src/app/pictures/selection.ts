@@ -1,12 +1,12 @@
 import { useMemo } from "react";
-import { part, type Segment } from "../../kernel/point.ts";
-import type { ContourRow } from "../../program/job.ts";
-import { choiceOf, markedBy, type Marked, type MoveSpan, type PathChoice } from "../../program/path-index.ts";
-import { choiceOfMilled, milledBy, planeBegin } from "../../program/plane-index.ts";
-import type { Run } from "../../program/run-types.ts";
+import { part, type Segment } from "../../kernel/geometry/point.ts";
+import type { ContourRow } from "../../program/job/job.ts";
+import { choiceOf, markedBy, type Marked, type MoveSpan, type PathChoice } from "../../program/run/path-index.ts";
+import { choiceOfMilled, milledBy, planeBegin } from "../../program/run/plane-index.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { showChoice } from "./plane/shown-view.ts";
-import { readRows } from "../../program/contour-rows.ts";
+import { readRows } from "../../program/job/contour-rows.ts";
 import { chooseElement, useContourPlace } from "../place/contour-place.ts";
 import { playback } from "../calculation/playback.ts";
 import { NOTHING_SELECTED, useSelection, type Selection } from "../document/selected.ts";

@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import type { ContourRow } from "../../program/job.ts";
+import type { ContourRow } from "../../program/job/job.ts";
 
 /** What the middle of the page shows while a contour is edited. */
 export type ContourView = "draw" | "lathe";

@@ -1,10 +1,10 @@
 import { strFromU8, strToU8, unzipSync, zipSync, type Zippable } from "fflate";
 import { readProgress, type CourseProgress } from "../../course/progress.ts";
 import type { Task } from "../../course/task.ts";
-import type { OwnList } from "../../program/own-library.ts";
-import { writeLibrary } from "../../program/own-library.ts";
-import type { ToolList } from "../../program/tool-list.ts";
-import { writeTableJson } from "../../program/tool-table-json.ts";
+import type { OwnList } from "../../program/edits/own-library.ts";
+import { writeLibrary } from "../../program/edits/own-library.ts";
+import type { ToolList } from "../../program/tools/tool-list.ts";
+import { writeTableJson } from "../../program/tools/tool-table-json.ts";
 import { readForms, writeForms, type KeptForms } from "./course/form-list.ts";
 import { readGathered, writeGathered } from "./course/result-list.ts";
 import type { LearnerFile } from "./course/result-rows.ts";

@@ -1,6 +1,6 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
-import { exampleJob } from "../../program/job.ts";
+import { exampleJob } from "../../program/job/job.ts";
 import { findWorks, forgetWork, keepWork, readWork } from "./device.ts";
 import { SAVE_VERSION } from "./save-file.ts";
 

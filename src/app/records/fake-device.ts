@@ -1,5 +1,5 @@
 import { cuttingCycles } from "../../cycles/index.ts";
-import { exampleJob, type Job } from "../../program/job.ts";
+import { exampleJob, type Job } from "../../program/job/job.ts";
 import type { Found } from "./device.ts";
 
 /** What lies on the device of a test, in place of the browser's. */

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
-import { exampleJob } from "../../program/job.ts";
+import { exampleJob } from "../../program/job/job.ts";
 import { showTools, useToolPlace } from "../document/tool-place.ts";
 import { useEditor } from "../document/store.ts";
 import { showGuide, useGuidePlace } from "../place/guide-place.ts";

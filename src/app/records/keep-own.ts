@@ -1,5 +1,5 @@
 import { z } from "zod/mini";
-import type { OwnList } from "../../program/own-library.ts";
+import type { OwnList } from "../../program/edits/own-library.ts";
 import { keepTable } from "../base/device-table.ts";
 import { notice } from "../base/notices.ts";
 import { takeOwn, useOwn } from "../document/own-store.ts";

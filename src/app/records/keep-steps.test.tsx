@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
-import { exampleJob } from "../../program/job.ts";
-import { shippedList } from "../../program/tool-list.ts";
+import { exampleJob } from "../../program/job/job.ts";
+import { shippedList } from "../../program/tools/tool-list.ts";
 import { draftOf, setContour, setPrompt, setRapid } from "../document/edits.ts";
 import { closeSession, dispatchEdit, handOverText, openBlock, openSession, sessionText, sessionView,
   useSession } from "../fields/blocks/session.ts";

@@ -1,7 +1,7 @@
 import { z } from "zod/mini";
-import { hasFile, tableOrigin } from "../../program/tool-entry.ts";
-import { sameList, shippedList, type ToolList } from "../../program/tool-list.ts";
-import { HOLDER_CELLS } from "../../program/tool-columns.ts";
+import { hasFile, tableOrigin } from "../../program/tools/tool-entry.ts";
+import { sameList, shippedList, type ToolList } from "../../program/tools/tool-list.ts";
+import { HOLDER_CELLS } from "../../program/tools/tool-columns.ts";
 import { keepTable } from "../base/device-table.ts";
 import { notice } from "../base/notices.ts";
 import { toolRow } from "../document/tool-rows.ts";

@@ -1,6 +1,6 @@
 import { useNotices } from "../base/notices.ts";
 import { beforeEach, expect, test, vi } from "vitest";
-import type { Job } from "../../program/job.ts";
+import type { Job } from "../../program/job/job.ts";
 import { setTool } from "../document/edits.ts";
 import { begin, useEditor } from "../document/store.ts";
 import { device, emptyDevice, someJob as job } from "./fake-device.ts";

@@ -1,11 +1,11 @@
 import { expect, test } from "vitest";
 import fc from "fast-check";
 import { cuttingCycles } from "../../cycles/index.ts";
-import type { Measurement } from "../../kernel/measured.ts";
-import { at } from "../../kernel/point.ts";
+import type { Measurement } from "../../kernel/plan/measured.ts";
+import { at } from "../../kernel/geometry/point.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
-import { exampleJob, type SetJob } from "../../program/job.ts";
-import { printAsInManual, printJob } from "../../program/print-job.ts";
+import { exampleJob, type SetJob } from "../../program/job/job.ts";
+import { printAsInManual, printJob } from "../../program/job/print-job.ts";
 import { readSave, SAVE_VERSION, upgrade, type SaveFile } from "./save-file.ts";
 
 const saved = (): SaveFile[] =>

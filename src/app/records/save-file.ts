@@ -1,10 +1,10 @@
 import { z } from "zod/mini";
-import type { MeasuredPlace, Measurement } from "../../kernel/measured.ts";
-import { at } from "../../kernel/point.ts";
+import type { MeasuredPlace, Measurement } from "../../kernel/plan/measured.ts";
+import { at } from "../../kernel/geometry/point.ts";
 import { NUMBER_PARAMETER } from "../../nc/value.ts";
 import { CLAMPING_KINDS } from "../../program/clamping/words.ts";
-import type { ContourRow, Job, TaskWork } from "../../program/job.ts";
-import { EARLIER_OUTPUT, isNcOutput, JOB_LAYOUTS, type NcOutput } from "../../program/nc-output.ts";
+import type { ContourRow, Job, TaskWork } from "../../program/job/job.ts";
+import { EARLIER_OUTPUT, isNcOutput, JOB_LAYOUTS, type NcOutput } from "../../program/machine/nc-output.ts";
 import { toolRows } from "../document/tool-rows.ts";
 import { LONGEST_MACHINE, LONGEST_REMARKS, MOST_MEASURED, type ProgramWork, type Work, type WorkFile } from "../document/work.ts";
 

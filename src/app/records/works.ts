@@ -1,4 +1,4 @@
-import { fileKey } from "../../program/program-files.ts";
+import { fileKey } from "../../program/state/program-files.ts";
 import { drawnId } from "../base/chance.ts";
 import { time } from "../base/clock.ts";
 import { note } from "../document/steps.ts";

@@ -1,5 +1,5 @@
 import { Suspense, useEffect, useMemo, type ReactNode } from "react";
-import { knownWork } from "../../program/known-work.ts";
+import { knownWork } from "../../program/job/known-work.ts";
 import { MachineView } from "../pictures/plane/MachineView.tsx";
 import { clock } from "../base/clock.ts";
 import { Centre, HelpDock } from "../fields/dialog/HelpDock.tsx";

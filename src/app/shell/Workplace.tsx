@@ -1,5 +1,5 @@
 import { Suspense, useEffect, useMemo, useState, type ReactNode } from "react";
-import { knownWork } from "../../program/known-work.ts";
+import { knownWork } from "../../program/job/known-work.ts";
 import { sameRings } from "../../sim/same-step.ts";
 import { clock } from "../base/clock.ts";
 import { ContourViews } from "../../features/contour/ContourViews.tsx";

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
-import { exampleJob } from "../../program/job.ts";
+import { exampleJob } from "../../program/job/job.ts";
 import { hideOwn, showOwn } from "../document/own-place.ts";
 import { openPrompt, showSection, usePlace } from "../place/place.ts";
 import { useNotices, withdraw } from "../base/notices.ts";

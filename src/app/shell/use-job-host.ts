@@ -1,7 +1,7 @@
 import { useMemo } from "react";
 import type { ParamTextId } from "../../cycles/index.ts";
 import { writer } from "../../i18n/write.ts";
-import { positionAsTyped } from "../../program/typed-value.ts";
+import { positionAsTyped } from "../../program/values/typed-value.ts";
 import { isSetupPlace, setPlace } from "../fields/dialog/setup-prompts.ts";
 import { writeTyped } from "../fields/dialog/write-value.ts";
 import { setPrompt, setStart, setTool } from "../document/edits.ts";

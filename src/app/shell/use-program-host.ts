@@ -15,7 +15,7 @@ import { outputInUse } from "../document/output.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { fixOf } from "../../features/editor/diagnostics.ts";
-import { fileKey } from "../../program/program-files.ts";
+import { fileKey } from "../../program/state/program-files.ts";
 import { useEditor } from "../document/store.ts";
 import { fileOf } from "../document/work.ts";
 import { isPresent } from "../fields/blocks/present.ts";

@@ -1,6 +1,6 @@
 import { parse } from "../../nc/parse.ts";
-import { run } from "../../program/run.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { run } from "../../program/run/run.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { tracing } from "../../sim/tracing.ts";
 import type { Answer } from "./judgement.ts";

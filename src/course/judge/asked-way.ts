@@ -1,6 +1,6 @@
-import { tipDirection } from "../../kernel/insert.ts";
-import type { TipOrientation } from "../../kernel/tool.ts";
-import type { RunFinding } from "../../program/run-types.ts";
+import { tipDirection } from "../../kernel/cutter/insert.ts";
+import type { TipOrientation } from "../../kernel/plan/tool.ts";
+import type { RunFinding } from "../../program/state/run-types.ts";
 
 /** Where the values of a cycle want it to cut: in a bore or outside, away from the chuck or towards it. */
 export type AskedWay = "inside" | "outside" | "away" | "towards";

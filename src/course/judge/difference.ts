@@ -1,9 +1,9 @@
-import { areaOf, areaOfRing } from "../../kernel/area.ts";
-import { boxAround, gapBetween } from "../../kernel/box.ts";
-import { difference, intersection, isInside, opened } from "../../kernel/clip.ts";
-import { part, type Pt, type Ring } from "../../kernel/point.ts";
-import { REAL_AREA } from "../../kernel/real-area.ts";
-import { pathOf } from "../../kernel/time.ts";
+import { areaOf, areaOfRing } from "../../kernel/area/area.ts";
+import { boxAround, gapBetween } from "../../kernel/area/box.ts";
+import { difference, intersection, isInside, opened } from "../../kernel/area/clip.ts";
+import { part, type Pt, type Ring } from "../../kernel/geometry/point.ts";
+import { REAL_AREA } from "../../kernel/area/real-area.ts";
+import { pathOf } from "../../kernel/time/time.ts";
 import { SLIVER } from "../../kernel/tolerance.ts";
 import { outlinesOf } from "../../sim/outlines.ts";
 import { regionsOf } from "../../sim/region.ts";

@@ -1,4 +1,4 @@
-import type { Step } from "../../kernel/step.ts";
+import type { Step } from "../../kernel/time/step.ts";
 import { loadAlong, type PathLoad } from "../../sim/load/along.ts";
 import type { Answer, TaskMark } from "./judgement.ts";
 

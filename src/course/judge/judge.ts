@@ -1,11 +1,11 @@
 import { madeOf } from "../../sim/made.ts";
-import { REAL_AREA } from "../../kernel/real-area.ts";
+import { REAL_AREA } from "../../kernel/area/real-area.ts";
 import { stockIssues } from "../../sim/issues.ts";
-import type { RunFinding } from "../../program/run-types.ts";
+import type { RunFinding } from "../../program/state/run-types.ts";
 import type { StockFinding } from "../../sim/simulation.ts";
 import type { Task } from "../task.ts";
 import { beyond, distanceTo, missingMarks, residueMarks } from "./difference.ts";
-import { areaOf } from "../../kernel/area.ts";
+import { areaOf } from "../../kernel/area/area.ts";
 import { RULES, type Answer, type TaskJudgement, type TaskMark, type RuleName } from "./judgement.ts";
 import { ruleMarks } from "./rules.ts";
 import { scoreOf } from "./score.ts";

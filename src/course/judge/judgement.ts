@@ -1,6 +1,6 @@
-import type { Reason } from "../../kernel/issue.ts";
-import type { Pt, Ring } from "../../kernel/point.ts";
-import type { Run, RunFinding } from "../../program/run-types.ts";
+import type { Reason } from "../../kernel/plan/issue.ts";
+import type { Pt, Ring } from "../../kernel/geometry/point.ts";
+import type { Run, RunFinding } from "../../program/state/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 
 /**

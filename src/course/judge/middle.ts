@@ -1,4 +1,4 @@
-import { at, type Pt, type Ring } from "../../kernel/point.ts";
+import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { SLIVER } from "../../kernel/tolerance.ts";
 import { scanCrossings, type Along } from "../../sim/scan.ts";
 

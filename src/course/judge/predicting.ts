@@ -1,6 +1,6 @@
 import { madeOf } from "../../sim/made.ts";
-import { areaOf } from "../../kernel/area.ts";
-import { part, type Pt, type Ring } from "../../kernel/point.ts";
+import { areaOf } from "../../kernel/area/area.ts";
+import { part, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { ROUND } from "../../kernel/tolerance.ts";
 import type { Prediction, Task } from "../task.ts";
 import { wantedPart } from "../wanted-part.ts";

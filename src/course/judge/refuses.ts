@@ -1,4 +1,4 @@
-import { at, part } from "../../kernel/point.ts";
+import { at, part } from "../../kernel/geometry/point.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
 import type { Task, WrongAnswer } from "../task.ts";
 import { distanceTo } from "./difference.ts";

@@ -1,9 +1,9 @@
 import { madeOf } from "../../sim/made.ts";
-import { REAL_AREA } from "../../kernel/real-area.ts";
+import { REAL_AREA } from "../../kernel/area/real-area.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { parse } from "../../nc/parse.ts";
 import { blockNumbers } from "../../nc/program.ts";
-import type { Operation } from "../../program/run-types.ts";
+import type { Operation } from "../../program/state/run-types.ts";
 import { roughnessOf } from "../../sim/load/roughness.ts";
 import type { TaskRules } from "../task.ts";
 import type { Answer, TaskMark, RuleName } from "./judgement.ts";

@@ -1,4 +1,4 @@
-import { areaOf } from "../../kernel/area.ts";
+import { areaOf } from "../../kernel/area/area.ts";
 import type { Task } from "../task.ts";
 import type { WantedPart } from "../wanted-part.ts";
 import { beyond } from "./difference.ts";

@@ -1,6 +1,6 @@
-import { pathOf, travelOf } from "../../kernel/time.ts";
-import type { Tool } from "../../kernel/tool.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { pathOf, travelOf } from "../../kernel/time/time.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import type { Answer, TaskMark } from "./judgement.ts";
 
 /** Rapid rate that times of a task are worked out with, mm/min. */

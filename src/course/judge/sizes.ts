@@ -1,5 +1,5 @@
 import { madeOf } from "../../sim/made.ts";
-import { at, type Pt, type Ring } from "../../kernel/point.ts";
+import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
 import { scanCrossings } from "../../sim/scan.ts";

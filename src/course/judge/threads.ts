@@ -1,5 +1,5 @@
 import { madeOf } from "../../sim/made.ts";
-import { at, type Ring } from "../../kernel/point.ts";
+import { at, type Ring } from "../../kernel/geometry/point.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
 import { scanCrossings } from "../../sim/scan.ts";
 import { bandOfThread, type WantedThread } from "../wanted-part.ts";

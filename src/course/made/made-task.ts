@@ -1,6 +1,6 @@
-import { boxAround } from "../../kernel/box.ts";
-import { areaOf } from "../../kernel/area.ts";
-import { difference, intersection, union } from "../../kernel/clip.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { areaOf } from "../../kernel/area/area.ts";
+import { difference, intersection, union } from "../../kernel/area/clip.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import { parse } from "../../nc/parse.ts";
 import { lessPlainCuts, machiningArea } from "../../sim/finished.ts";

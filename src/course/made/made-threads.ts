@@ -1,7 +1,7 @@
 import { madeOf } from "../../sim/made.ts";
-import { boxAround } from "../../kernel/box.ts";
-import { areaOf } from "../../kernel/area.ts";
-import { at, type Ring, type Segment } from "../../kernel/point.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { areaOf } from "../../kernel/area/area.ts";
+import { at, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { axial, diameter, radius, rounded, toDiameter, toRadius } from "../../kernel/units.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { scanCrossings } from "../../sim/scan.ts";

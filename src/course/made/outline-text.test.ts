@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { areaOf } from "../../kernel/area.ts";
-import { difference } from "../../kernel/clip.ts";
+import { areaOf } from "../../kernel/area/area.ts";
+import { difference } from "../../kernel/area/clip.ts";
 import { wantedPart } from "../wanted-part.ts";
 import { outlineText } from "./outline-text.ts";
 

@@ -1,8 +1,8 @@
-import { boxAround } from "../../kernel/box.ts";
-import { areaOf } from "../../kernel/area.ts";
-import { simplified } from "../../kernel/clip.ts";
-import { elementsThrough } from "../../kernel/elements-through.ts";
-import { part, type Pt, type Ring, type Segment } from "../../kernel/point.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { areaOf } from "../../kernel/area/area.ts";
+import { simplified } from "../../kernel/area/clip.ts";
+import { elementsThrough } from "../../kernel/contour/elements-through.ts";
+import { part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { rounded, toDiameter } from "../../kernel/units.ts";
 
 /** Outlines as lines of a contour subprogram, from the free end; absent where nothing was turned there. */

@@ -1,4 +1,4 @@
-import { part, type Pt, type Segment } from "../../kernel/point.ts";
+import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { fewElements } from "./outline-text.ts";
 
 /** A chord lies on an element within this, mm: the first one of a rounding that runs out of it does not; ends that are nearer are one. */

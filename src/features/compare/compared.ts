@@ -3,7 +3,7 @@ import { blockNumbers, type Program } from "../../nc/program.ts";
 import { parse } from "../../nc/parse.ts";
 import { byOperation, type ComparedOperation } from "../../program/compare/by-operation.ts";
 import { comparePrograms, type BlockDifference } from "../../program/compare/compare.ts";
-import { fileKey } from "../../program/program-files.ts";
+import { fileKey } from "../../program/state/program-files.ts";
 import { changedEffects, consequenceOf, effectsByUnit, effectsOf, type Consequence } from "../../report/compare/consequences.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import type { FindingEntry } from "../../app/findings/entry.ts";

@@ -1,8 +1,8 @@
 import { useId, useState, type KeyboardEvent } from "react";
 import { flushSync } from "react-dom";
 import type { Language } from "../../i18n/languages.ts";
-import { sumOf } from "../../program/field.ts";
-import type { RowField } from "../../program/contour-rows.ts";
+import { sumOf } from "../../program/values/field.ts";
+import type { RowField } from "../../program/job/contour-rows.ts";
 import { isPlainNumber, minus } from "../../app/fields/dialog/number-entry.ts";
 import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { closeStep } from "../../app/document/steps.ts";

@@ -2,7 +2,7 @@ import { cleanup, fireEvent, render, screen, within } from "@testing-library/rea
 import userEvent from "@testing-library/user-event";
 import { useState } from "react";
 import { afterEach, beforeAll, expect, test } from "vitest";
-import { newRow, type ContourRow } from "../../program/job.ts";
+import { newRow, type ContourRow } from "../../program/job/job.ts";
 import { fetchTexts } from "../../app/base/settings/loaded-texts.ts";
 import { chooseElement } from "../../app/place/contour-place.ts";
 import { ContourTable } from "./ContourTable.tsx";

@@ -1,11 +1,11 @@
 import { memo, useEffect, useId, useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
-import type { Ring } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
-import type { RowsReading } from "../../program/contour-rows.ts";
-import type { ContourRow } from "../../program/job.ts";
+import type { RowsReading } from "../../program/job/contour-rows.ts";
+import type { ContourRow } from "../../program/job/job.ts";
 import { toScreen, zoomed, type Camera, type Margin, type Place } from "../../view/camera.ts";
 import { WORKPIECE_ZERO } from "../../view/datum.ts";
 import { contourDrawing } from "../../view/help/contour-drawing.ts";

@@ -1,10 +1,10 @@
 import { memo, useState, type ReactNode } from "react";
-import type { Ring } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Language } from "../../i18n/languages.ts";
-import type { ContourRow } from "../../program/job.ts";
+import type { ContourRow } from "../../program/job/job.ts";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
-import { readRows } from "../../program/contour-rows.ts";
+import { readRows } from "../../program/job/contour-rows.ts";
 import { chooseElement, goToElement, useChosenRow } from "../../app/place/contour-place.ts";
 import { DxfImport } from "./DxfImport.tsx";
 import { FaultList } from "./FaultList.tsx";

@@ -3,7 +3,7 @@ import userEvent from "@testing-library/user-event";
 import { useState } from "react";
 import { afterEach, beforeAll, expect, test } from "vitest";
 import { catalogue } from "../../cycles/index.ts";
-import { exampleJob, newRow, type ContourRow } from "../../program/job.ts";
+import { exampleJob, newRow, type ContourRow } from "../../program/job/job.ts";
 import { fetchTexts } from "../../app/base/settings/loaded-texts.ts";
 import { heldWhileTyping } from "../../app/base/typing.ts";
 import { chooseElement } from "../../app/place/contour-place.ts";

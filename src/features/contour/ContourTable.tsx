@@ -1,8 +1,8 @@
 import { memo, useCallback, useEffect, useEffectEvent, useLayoutEffect, useRef, useState } from "react";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
-import { readRows, type RowIssue } from "../../program/contour-rows.ts";
-import type { ContourRow } from "../../program/job.ts";
+import { readRows, type RowIssue } from "../../program/job/contour-rows.ts";
+import type { ContourRow } from "../../program/job/job.ts";
 import { ContourDrawing } from "./ContourDrawing.tsx";
 import { ContourLine } from "./ContourLine.tsx";
 import { RowTools } from "./RowTools.tsx";

@@ -1,9 +1,9 @@
 import { useEffect, useLayoutEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
-import { dimensionTyped } from "../../program/contour-dimensions.ts";
-import type { RowsReading } from "../../program/contour-rows.ts";
-import type { ContourRow } from "../../program/job.ts";
+import { dimensionTyped } from "../../program/job/contour-dimensions.ts";
+import type { RowsReading } from "../../program/job/contour-rows.ts";
+import type { ContourRow } from "../../program/job/job.ts";
 import { toScreen, type Place, type Size } from "../../view/camera.ts";
 import { placedDimensions, type PlacedDimension } from "../../view/contour/dimension-places.ts";
 import { WORKPIECE_ZERO } from "../../view/datum.ts";

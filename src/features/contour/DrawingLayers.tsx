@@ -1,9 +1,9 @@
-import type { Ring } from "../../kernel/point.ts";
-import { part } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import { part } from "../../kernel/geometry/point.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
-import { holdsOf, type Hold } from "../../program/contour-dimensions.ts";
-import type { RowsReading } from "../../program/contour-rows.ts";
-import type { ContourRow } from "../../program/job.ts";
+import { holdsOf, type Hold } from "../../program/job/contour-dimensions.ts";
+import type { RowsReading } from "../../program/job/contour-rows.ts";
+import type { ContourRow } from "../../program/job/job.ts";
 import { toScreen, type Camera, type Place, type Size } from "../../view/camera.ts";
 import type { ContourPicture } from "../../view/help/contour-drawing.ts";
 import { polygon, polyline, px } from "../../view/help/marks.ts";

@@ -1,10 +1,10 @@
 import { useId, useMemo, useRef, useState } from "react";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
-import { readRows } from "../../program/contour-rows.ts";
-import { anyNumber, readText, type Field } from "../../program/field.ts";
-import type { ContourRow } from "../../program/job.ts";
-import { dxfDefaults, readDxf, type DxfChoice } from "../../program/read-dxf.ts";
+import { readRows } from "../../program/job/contour-rows.ts";
+import { anyNumber, readText, type Field } from "../../program/values/field.ts";
+import type { ContourRow } from "../../program/job/job.ts";
+import { dxfDefaults, readDxf, type DxfChoice } from "../../program/dxf/read-dxf.ts";
 import { contourDrawing } from "../../view/help/contour-drawing.ts";
 import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { Icon } from "../../app/base/Icon.tsx";

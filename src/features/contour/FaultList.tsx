@@ -1,6 +1,6 @@
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
-import type { RowIssue } from "../../program/contour-rows.ts";
+import type { RowIssue } from "../../program/job/contour-rows.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { issueText } from "../../app/calculation/issue-text.ts";
 

@@ -1,9 +1,9 @@
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
-import { UNDERCUT_FORMS } from "../../kernel/undercut.ts";
-import type { ContourRow } from "../../program/job.ts";
-import { formWord } from "../../program/recess-words.ts";
-import { isDiameterWord, recessWords } from "../../program/row-given.ts";
+import { UNDERCUT_FORMS } from "../../kernel/contour/undercut.ts";
+import type { ContourRow } from "../../program/job/job.ts";
+import { formWord } from "../../program/blocks/recess-words.ts";
+import { isDiameterWord, recessWords } from "../../program/job/row-given.ts";
 import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { closeStep } from "../../app/document/steps.ts";
 

@@ -1,11 +1,11 @@
-import { part } from "../../kernel/point.ts";
+import { part } from "../../kernel/geometry/point.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import type { ContourTexts } from "../../i18n/en/contour.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
-import { dimensionsOf, type ContourDimension } from "../../program/contour-dimensions.ts";
-import type { RowField, RowsReading } from "../../program/contour-rows.ts";
-import type { ContourRow } from "../../program/job.ts";
+import { dimensionsOf, type ContourDimension } from "../../program/job/contour-dimensions.ts";
+import type { RowField, RowsReading } from "../../program/job/contour-rows.ts";
+import type { ContourRow } from "../../program/job/job.ts";
 import type { AskedDimension, Measured } from "../../view/contour/dimension-places.ts";
 
 /** A dimension with its text, ready to be put on the drawing. */

@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { readRows } from "../../program/contour-rows.ts";
-import { newRow, type ContourRow } from "../../program/job.ts";
+import { readRows } from "../../program/job/contour-rows.ts";
+import { newRow, type ContourRow } from "../../program/job/job.ts";
 import { cornerSized, isCorner, pointAppended, pointInserted, pointMoved } from "./drawing-edits.ts";
 import { gridSpacing, onGrid, snapped } from "./snap.ts";
 

@@ -1,10 +1,10 @@
-import { largestThatWorks, mends } from "../../kernel/offer.ts";
-import type { Pt } from "../../kernel/point.ts";
-import type { RowReading, RowsReading } from "../../program/contour-rows.ts";
+import { largestThatWorks, mends } from "../../kernel/plan/offer.ts";
+import type { Pt } from "../../kernel/geometry/point.ts";
+import type { RowReading, RowsReading } from "../../program/job/contour-rows.ts";
 import { toRadius, axial, diameter } from "../../kernel/units.ts";
-import { isPolarRow, polarWordsTo } from "../../program/polar-row.ts";
-import { readRows } from "../../program/contour-rows.ts";
-import { newRow, type ContourRow } from "../../program/job.ts";
+import { isPolarRow, polarWordsTo } from "../../program/job/polar-row.ts";
+import { readRows } from "../../program/job/contour-rows.ts";
+import { newRow, type ContourRow } from "../../program/job/job.ts";
 import { changed, freshId, type Edited } from "./row-edits.ts";
 import type { SnapSpot } from "./snap.ts";
 

@@ -1,5 +1,5 @@
 import { panned, type Camera } from "../../view/camera.ts";
-import type { ContourRow } from "../../program/job.ts";
+import type { ContourRow } from "../../program/job/job.ts";
 import { cornerOf, type CornerKind } from "./drawing-edits.ts";
 import type { Edited } from "./row-edits.ts";
 

@@ -1,6 +1,6 @@
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
-import type { DxfIssue } from "../../program/read-dxf.ts";
+import type { DxfIssue } from "../../program/dxf/read-dxf.ts";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 
 /** What was found in a drawing, as a sentence. */

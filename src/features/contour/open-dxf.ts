@@ -1,4 +1,4 @@
-import type { ParsedDxf } from "../../program/read-dxf.ts";
+import type { ParsedDxf } from "../../program/dxf/read-dxf.ts";
 import { untilHere } from "../../app/base/parts.ts";
 
 /** Largest file that is read, bytes. */

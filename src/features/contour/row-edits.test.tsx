@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { newRow, type ContourRow } from "../../program/job.ts";
+import { newRow, type ContourRow } from "../../program/job/job.ts";
 import { withRowTwice, withRow, withRowMoved, withoutRow } from "./row-edits.ts";
 
 const row = (id: string): ContourRow => newRow(id, { x: id });

@@ -1,4 +1,4 @@
-import { newRow, type ContourRow } from "../../program/job.ts";
+import { newRow, type ContourRow } from "../../program/job/job.ts";
 
 type Rows = readonly ContourRow[];
 

@@ -1,4 +1,4 @@
-import type { Pt } from "../../kernel/point.ts";
+import type { Pt } from "../../kernel/geometry/point.ts";
 import { ROUND } from "../../kernel/tolerance.ts";
 import { diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
 

@@ -1,9 +1,9 @@
 import { pageUnit } from "../../app/base/unit.ts";
 import { useEffect, useRef, useState, type MouseEvent, type PointerEvent } from "react";
-import { part, type Pt } from "../../kernel/point.ts";
+import { part, type Pt } from "../../kernel/geometry/point.ts";
 import { axial, diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
-import type { RowsReading } from "../../program/contour-rows.ts";
-import type { ContourRow } from "../../program/job.ts";
+import type { RowsReading } from "../../program/job/contour-rows.ts";
+import type { ContourRow } from "../../program/job/job.ts";
 import { panned, pinched, toPlace, type Camera, type Place } from "../../view/camera.ts";
 import type { ContourPicture } from "../../view/help/contour-drawing.ts";
 import { closeStep } from "../../app/document/steps.ts";

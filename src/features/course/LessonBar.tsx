@@ -6,7 +6,7 @@ import { GlyphButton } from "../../app/pictures/lathe/GlyphButton.tsx";
 import type { PlaybackStore } from "../../app/calculation/playback-store.ts";
 import { runningText } from "../../app/pictures/lathe/running.ts";
 import { useEachReading, usePlayback } from "../../app/pictures/lathe/use-playback.ts";
-import type { Run } from "../../program/run-types.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 import type { PlayedStretch } from "./use-stretch.ts";

@@ -1,11 +1,11 @@
 import { Suspense, useEffect, useMemo, useRef, useState } from "react";
 import { operationsPlayed, stepsPlayed, type Played } from "../../course/played.ts";
-import type { Run } from "../../program/run-types.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import { boundsOf, common, grownBounds, joined, mirrored } from "../../view/bounds.ts";
 import type { Bounds } from "../../view/camera.ts";
 import { datumAt, datumIndex } from "../../view/datum.ts";
 import { sceneOf } from "../../view/scene.ts";
-import type { Ring } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import { useLong } from "../../app/calculation/use-long.ts";

@@ -1,6 +1,6 @@
 import { useEffect, useMemo, useRef } from "react";
 import { blocksOfLines } from "../../course/start-of.ts";
-import type { Run } from "../../program/run-types.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import type { PlaybackStore } from "../../app/calculation/playback-store.ts";
 import { useReadPlayback } from "../../app/pictures/lathe/use-playback.ts";

@@ -1,4 +1,4 @@
-import { shippedList, sameList } from "../../program/tool-list.ts";
+import { shippedList, sameList } from "../../program/tools/tool-list.ts";
 import { programOfLines } from "../../course/start-of.ts";
 import { openProgram } from "../../app/fields/open/open-program.ts";
 import { useTools } from "../../app/document/tool-store.ts";

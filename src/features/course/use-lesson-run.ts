@@ -1,5 +1,5 @@
 import { useEffect, useState } from "react";
-import { shippedList } from "../../program/tool-list.ts";
+import { shippedList } from "../../program/tools/tool-list.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import { askAgain } from "../../app/calculation/worker-life.ts";
 import { toolsOnDevice } from "../../app/document/tool-store.ts";

@@ -1,6 +1,6 @@
 import { useEffect, useMemo, useRef } from "react";
 import type { Played } from "../../course/played.ts";
-import type { Run } from "../../program/run-types.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import { secondsAt, trackOf } from "../../view/playback.ts";
 import type { PlaybackStore } from "../../app/calculation/playback-store.ts";
 

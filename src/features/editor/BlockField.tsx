@@ -1,6 +1,6 @@
 import { useId, useRef, useState, type ReactNode } from "react";
 import type { Statement } from "../../nc/statement.ts";
-import { sumOf } from "../../program/field.ts";
+import { sumOf } from "../../program/values/field.ts";
 import { useNumberEntry } from "../../app/fields/dialog/use-number-entry.ts";
 import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { Icon } from "../../app/base/Icon.tsx";

@@ -12,7 +12,7 @@ import { useGuidedBlock } from "../../app/place/guide-place.ts";
 import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
 import { showFile, useShownBeside } from "../../app/document/shown-file.ts";
 import { placeInFile } from "../../app/calculation/issue-text.ts";
-import { fileKey } from "../../program/program-files.ts";
+import { fileKey } from "../../program/state/program-files.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { fileOf } from "../../app/document/work.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";

@@ -2,7 +2,7 @@ import { useEffect, useRef, useState } from "react";
 import { markFresh } from "../../app/fields/blocks/fresh-block.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { CycleChooser } from "../../app/fields/chooser/CycleChooser.tsx";
-import { ownStatement } from "../../program/own-cycle.ts";
+import { ownStatement } from "../../program/edits/own-cycle.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import type { Statement } from "../../nc/statement.ts";
 import { useOwnOffer } from "../../app/fields/own/OwnCycles.tsx";

@@ -1,9 +1,9 @@
 import { useEffect, type ReactNode } from "react";
 import { formatFixed } from "../../i18n/number.ts";
-import type { Step } from "../../kernel/step.ts";
+import type { Step } from "../../kernel/time/step.ts";
 import type { Program } from "../../nc/program.ts";
-import { operationsOf } from "../../program/operations.ts";
-import type { Run } from "../../program/run-types.ts";
+import { operationsOf } from "../../program/edits/operations.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import { compareFromHere, followComparing } from "../../app/findings/effect/before.ts";
 import { areaDecimals, type ComparedNumber } from "../../app/findings/effect/changes.ts";
 import { effectNow } from "../../app/findings/effect/effect.ts";

@@ -4,7 +4,7 @@ import { askForFiles } from "../../app/records/files/file-handle.ts";
 import { missingFiles } from "../../app/calculation/missing-files.ts";
 import { addFiles } from "../../app/fields/open/open-program.ts";
 import { Icon } from "../../app/base/Icon.tsx";
-import { fileKey } from "../../program/program-files.ts";
+import { fileKey } from "../../program/state/program-files.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { changeProgram, useEditor } from "../../app/document/store.ts";
 import { filesOf, withMain, withoutFile, type ProgramWork } from "../../app/document/work.ts";

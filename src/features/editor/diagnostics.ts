@@ -4,7 +4,7 @@ import type { EditorView } from "@codemirror/view";
 import type { Texts } from "../../i18n/index.ts";
 import type { Lengths } from "../../i18n/lengths.ts";
 import { blockAt } from "../../nc/reread.ts";
-import type { RunFinding } from "../../program/run-types.ts";
+import type { RunFinding } from "../../program/state/run-types.ts";
 import { issueText, placeInFile } from "../../app/calculation/issue-text.ts";
 import { readingField } from "../../app/fields/blocks/reading-field.ts";
 

@@ -1,8 +1,8 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { askedByMove } from "../../cycles/asked-by-move.ts";
 import { blockNumbers, startLines } from "../../nc/program.ts";
-import { definitionOf } from "../../program/path-index.ts";
-import type { Run } from "../../program/run-types.ts";
+import { definitionOf } from "../../program/run/path-index.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import { shownBlock, showsPlane, useAskedView } from "../../app/pictures/plane/shown-view.ts";
 import { showFile } from "../../app/document/shown-file.ts";
 import { openBlock, readWhole, useSession } from "../../app/fields/blocks/session.ts";

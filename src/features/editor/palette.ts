@@ -4,7 +4,7 @@ import type { EditorTexts } from "../../i18n/en/editor.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
 import type { Language } from "../../i18n/languages.ts";
 import type { Statement, Words } from "../../nc/statement.ts";
-import { noWords } from "../../program/typed-value.ts";
+import { noWords } from "../../program/values/typed-value.ts";
 import type { BlockKind } from "../../app/fields/blocks/block-kind.ts";
 
 type Group = keyof EditorTexts["groups"];

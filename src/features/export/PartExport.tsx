@@ -2,7 +2,7 @@ import { useId, useMemo, useRef, useState } from "react";
 import { loadExport } from "../../i18n/load-export.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { ExportTexts } from "../../i18n/en/export.ts";
-import { DXF_CHORD, writeDxf } from "../../program/write-dxf.ts";
+import { DXF_CHORD, writeDxf } from "../../program/dxf/write-dxf.ts";
 import { contourSvg } from "../../view/contour-svg.ts";
 import { bodyStl } from "../../view/solid/export.ts";
 import { showsPlane, useAskedView } from "../../app/pictures/plane/shown-view.ts";

@@ -1,11 +1,11 @@
-import type { Cuboid } from "../../kernel/box.ts";
-import { partSegment } from "../../kernel/plane.ts";
-import type { Segment } from "../../kernel/point.ts";
-import type { DxfLayer } from "../../program/write-dxf.ts";
-import type { Run } from "../../program/run-types.ts";
+import type { Cuboid } from "../../kernel/area/box.ts";
+import { partSegment } from "../../kernel/plane/plane.ts";
+import type { Segment } from "../../kernel/geometry/point.ts";
+import type { DxfLayer } from "../../program/dxf/write-dxf.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import type { PlayPosition, Simulation } from "../../sim/simulation.ts";
 import { playerOf } from "../../sim/stock.ts";
-import type { Ring } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import { finishedBody, isBody, leftBody, statedSteps, withoutThreads } from "../../view/solid/bodies.ts";
 import type { WrittenBody } from "../../view/solid/export.ts";
 import { runThreads, type ThreadedStock } from "../../view/solid/thread-cuts.ts";

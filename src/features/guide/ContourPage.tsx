@@ -1,8 +1,8 @@
 import { useId } from "react";
 import { formatNumber } from "../../i18n/number.ts";
-import { boxAround } from "../../kernel/box.ts";
-import { readRows } from "../../program/contour-rows.ts";
-import { newRow, type ContourRow } from "../../program/job.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { readRows } from "../../program/job/contour-rows.ts";
+import { newRow, type ContourRow } from "../../program/job/job.ts";
 import { segmentData } from "../../view/path.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";

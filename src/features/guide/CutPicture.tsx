@@ -1,7 +1,7 @@
 import { useId, type ReactNode } from "react";
 import type { Box } from "../../kernel/geometry/segments.ts";
-import type { Ring } from "../../kernel/point.ts";
-import type { Step } from "../../kernel/step.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import type { Step } from "../../kernel/time/step.ts";
 import { ringData, segmentData, stretchData } from "../../view/path.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 

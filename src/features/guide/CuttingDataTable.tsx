@@ -1,7 +1,7 @@
 import { useRef, useState } from "react";
 import { formatNumber } from "../../i18n/number.ts";
 import { ISO_GROUPS, readCuttingTable, usualTable, writeCuttingTable, type CutMaterial,
-  type CuttingTable } from "../../program/cutting-table.ts";
+  type CuttingTable } from "../../program/tools/cutting-table.ts";
 import { downloadText } from "../../app/base/download.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { changeSettings, useSettings } from "../../app/base/settings/settings.ts";

@@ -1,5 +1,5 @@
 import { formatNumber } from "../../i18n/number.ts";
-import { OWN_DECIMALS, type OwnCycle } from "../../program/own-cycle.ts";
+import { OWN_DECIMALS, type OwnCycle } from "../../program/edits/own-cycle.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";

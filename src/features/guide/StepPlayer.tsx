@@ -1,10 +1,10 @@
 import { useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
 import type { Cycle } from "../../cycles/define.ts";
 import type { CycleNumber } from "../../cycles/index.ts";
-import { insertOutline } from "../../kernel/insert.ts";
-import { part } from "../../kernel/point.ts";
+import { insertOutline } from "../../kernel/cutter/insert.ts";
+import { part } from "../../kernel/geometry/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
-import { pathOf } from "../../kernel/time.ts";
+import { pathOf } from "../../kernel/time/time.ts";
 import { pieceTime } from "../../report/guide/piece-time.ts";
 import { shownBox } from "../../report/guide/shown-effect.ts";
 import { stepPieces, type StepPiece } from "../../report/guide/step-pieces.ts";

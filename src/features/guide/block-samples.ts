@@ -1,6 +1,6 @@
 import { cuttingCycles } from "../../cycles/index.ts";
 import { never } from "../../kernel/never.ts";
-import { exampleJob } from "../../program/job.ts";
+import { exampleJob } from "../../program/job/job.ts";
 import type { BlockKind } from "../../app/fields/blocks/block-kind.ts";
 import { printedText } from "../../app/document/printed.ts";
 

@@ -2,7 +2,7 @@ import { withBlock } from "../../nc/edit.ts";
 import { parse } from "../../nc/parse.ts";
 import { print, startLines, type Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
-import { fileKey } from "../../program/program-files.ts";
+import { fileKey } from "../../program/state/program-files.ts";
 import { kindOf, type BlockKind } from "../../app/fields/blocks/block-kind.ts";
 import { fieldsOf } from "../../app/fields/blocks/block-fields.ts";
 import { wordOfField } from "../../app/fields/blocks/block-guide.ts";

@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
-import { plane, type PlaneSegment } from "../../kernel/plane.ts";
+import { plane, type PlaneSegment } from "../../kernel/plane/plane.ts";
 import type { ApproachForm } from "../../nc/statement.ts";
-import { isPolar, shapeOf } from "../../program/approach-fields.ts";
-import { wordsOfPoint, type ApproachContext } from "../../program/approach-request.ts";
+import { isPolar, shapeOf } from "../../program/motion/approach-fields.ts";
+import { wordsOfPoint, type ApproachContext } from "../../program/edits/approach-request.ts";
 import { suggestedForms } from "../../view/approach/forms.ts";
 import { formAtValues, namedAt, sizedWords, type FormAt } from "./form-values.ts";
 

@@ -1,9 +1,9 @@
-import { approach, type Approach, type ApproachRequest } from "../../kernel/approach.ts";
-import { plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
+import { approach, type Approach, type ApproachRequest } from "../../kernel/plane/approach.ts";
+import { plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane/plane.ts";
 import { rounded } from "../../kernel/units.ts";
 import type { ApproachForm } from "../../nc/statement.ts";
-import { readApproach, type ApproachDraft } from "../../program/approach-draft.ts";
-import { readyApproach, type ApproachContext } from "../../program/approach-request.ts";
+import { readApproach, type ApproachDraft } from "../../program/edits/approach-draft.ts";
+import { readyApproach, type ApproachContext } from "../../program/edits/approach-request.ts";
 
 /** Words of APPR and DEP that a form is shown at three values of. */
 export type SizedWord = "LEN" | "R" | "CCA" | PolarPlace;

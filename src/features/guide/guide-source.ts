@@ -1,11 +1,11 @@
 import type { Cycle } from "../../cycles/define.ts";
 import { beginsAtTip } from "../../cycles/wanted.ts";
-import type { Spindle } from "../../kernel/step.ts";
+import type { Spindle } from "../../kernel/time/step.ts";
 import { toDiameter } from "../../kernel/units.ts";
-import { exampleJob, UNSET, type Job, type SetJob, type SpindleDraft } from "../../program/job.ts";
-import type { Operation } from "../../program/run-types.ts";
-import { positionAsTyped } from "../../program/typed-value.ts";
-import { rowsOf } from "../../program/wanted-shape.ts";
+import { exampleJob, UNSET, type Job, type SetJob, type SpindleDraft } from "../../program/job/job.ts";
+import type { Operation } from "../../program/state/run-types.ts";
+import { positionAsTyped } from "../../program/values/typed-value.ts";
+import { rowsOf } from "../../program/job/wanted-shape.ts";
 import { broughtBy } from "../../app/document/work.ts";
 import { outcomeBeside } from "../../app/calculation/beside.ts";
 import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";

@@ -1,7 +1,7 @@
-import { noseRadius } from "../../kernel/insert.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import { noseRadius } from "../../kernel/cutter/insert.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { rounded } from "../../kernel/units.ts";
-import type { Job, SetJob } from "../../program/job.ts";
+import type { Job, SetJob } from "../../program/job/job.ts";
 
 /** Prompts and fields of the set-up that have a page in the guide, in the order in which a setter has them. */
 export const SETUP_PAGES = [

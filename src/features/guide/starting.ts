@@ -1,5 +1,5 @@
 import type { Cycle } from "../../cycles/define.ts";
-import type { CutMaterial } from "../../program/cutting-table.ts";
+import type { CutMaterial } from "../../program/tools/cutting-table.ts";
 import { SPINDLE } from "../../report/advice/advise.ts";
 
 /** A value that a material is usually begun with, and the prompt, or the spindle, that it is for. */

@@ -2,9 +2,9 @@ import { afterEach, beforeEach, expect, test } from "vitest";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { never } from "../../kernel/never.ts";
 import { parse } from "../../nc/parse.ts";
-import { exampleJob, newRow } from "../../program/job.ts";
-import { run } from "../../program/run.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { exampleJob, newRow } from "../../program/job/job.ts";
+import { run } from "../../program/run/run.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { forgetOutcome, takeOutcome } from "../../app/calculation/outcome.ts";
 

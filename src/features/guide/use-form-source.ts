@@ -1,12 +1,12 @@
 import { useMemo } from "react";
-import type { PlaneSegment } from "../../kernel/plane.ts";
+import type { PlaneSegment } from "../../kernel/plane/plane.ts";
 import { parse } from "../../nc/parse.ts";
 import { startLines } from "../../nc/program.ts";
 import type { ApproachForm } from "../../nc/statement.ts";
-import { approachContext } from "../../program/approach-context.ts";
-import { approachDraft, readApproach, type ApproachDraft } from "../../program/approach-draft.ts";
-import { shapeOf } from "../../program/approach-fields.ts";
-import { readyApproach, wordsOfPoint, type ApproachContext, type ReadyApproach } from "../../program/approach-request.ts";
+import { approachContext } from "../../program/edits/approach-context.ts";
+import { approachDraft, readApproach, type ApproachDraft } from "../../program/edits/approach-draft.ts";
+import { shapeOf } from "../../program/motion/approach-fields.ts";
+import { readyApproach, wordsOfPoint, type ApproachContext, type ReadyApproach } from "../../program/edits/approach-request.ts";
 import { suggestedForms } from "../../view/approach/forms.ts";
 import { parametersBefore } from "../../app/fields/blocks/block-context.ts";
 import { useOutcome } from "../../app/calculation/outcome.ts";

@@ -1,7 +1,7 @@
 import { useCallback } from "react";
 import type { Cycle } from "../../cycles/define.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
-import type { SetJob } from "../../program/job.ts";
+import type { SetJob } from "../../program/job/job.ts";
 import { demonstrate } from "../../report/guide/demonstrate.ts";
 import { givenOf } from "../../app/calculation/given.ts";
 import { readJob } from "../../app/document/reading.ts";

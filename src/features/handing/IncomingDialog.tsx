@@ -1,6 +1,6 @@
 import { useMemo } from "react";
-import { cellOf } from "../../program/tool-entry.ts";
-import { toolsBeside } from "../../program/tool-difference.ts";
+import { cellOf } from "../../program/tools/tool-entry.ts";
+import { toolsBeside } from "../../program/tools/tool-difference.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTools } from "../../app/document/tool-store.ts";
 import { HandingDialog } from "../../app/base/HandingDialog.tsx";

@@ -1,6 +1,6 @@
 import { useState } from "react";
 import type { HandedTexts } from "../../i18n/en/handed.ts";
-import type { Control } from "../../program/plane-types.ts";
+import type { Control } from "../../program/tools/plane-types.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { handedOn, useEditor } from "../../app/document/store.ts";

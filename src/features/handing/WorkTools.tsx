@@ -1,7 +1,7 @@
 import { useMemo, useState } from "react";
 import type { HandedTexts } from "../../i18n/en/handed.ts";
-import { cellOf, readEntry, type ToolEntry } from "../../program/tool-entry.ts";
-import { toolsBeside, type KeepAs, type KeptTools, type ToolBeside } from "../../program/tool-difference.ts";
+import { cellOf, readEntry, type ToolEntry } from "../../program/tools/tool-entry.ts";
+import { toolsBeside, type KeepAs, type KeptTools, type ToolBeside } from "../../program/tools/tool-difference.ts";
 import { InsertDrawing } from "../../app/pictures/lathe/InsertDrawing.tsx";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";

@@ -1,4 +1,4 @@
-import type { ToolBeside } from "../../program/tool-difference.ts";
+import type { ToolBeside } from "../../program/tools/tool-difference.ts";
 
 /** How a tool that comes along stands to the table of this device. */
 export const inMyTable = ({ mine, differs }: ToolBeside): "free" | "same" | "differs" =>

@@ -1,9 +1,9 @@
 import { afterEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
-import { exampleJob, UNSET } from "../../program/job.ts";
-import { EXAMPLE_MACHINES } from "../../program/example-machines.ts";
-import { machineOf, writeMachine } from "../../program/machine-file.ts";
-import { shippedList } from "../../program/tool-list.ts";
+import { exampleJob, UNSET } from "../../program/job/job.ts";
+import { EXAMPLE_MACHINES } from "../../program/machine/example-machines.ts";
+import { machineOf, writeMachine } from "../../program/machine/machine-file.ts";
+import { shippedList } from "../../program/tools/tool-list.ts";
 import { reported } from "../../app/calculation/reported.ts";
 import { openText } from "../../app/fields/open/open-program.ts";
 import { readArchive } from "../../app/records/archive.ts";

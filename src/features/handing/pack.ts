@@ -1,4 +1,4 @@
-import { rowsCalled } from "../../program/tool-list.ts";
+import { rowsCalled } from "../../program/tools/tool-list.ts";
 import { time } from "../../app/base/clock.ts";
 import { draftOf } from "../../app/document/edits.ts";
 import { reportOf } from "../../app/calculation/beside.ts";
@@ -7,7 +7,7 @@ import { setJobOf } from "../../app/document/reading.ts";
 import { writeArchive } from "../../app/records/archive.ts";
 import { controlInUse, listInUse, machineInUse } from "../../app/document/work-tools.ts";
 import { isProgram, type Work } from "../../app/document/work.ts";
-import type { Job } from "../../program/job.ts";
+import type { Job } from "../../program/job/job.ts";
 
 /** The open work, ready to leave. */
 export interface Packed {

@@ -1,8 +1,8 @@
 import { parse } from "../../nc/parse.ts";
 import { print } from "../../nc/program.ts";
-import { fileKey } from "../../program/program-files.ts";
-import { withCalls } from "../../program/renumber-calls.ts";
-import { keptBeside, renumberedTools, type KeepAs, type KeptTools, type ToolBeside } from "../../program/tool-difference.ts";
+import { fileKey } from "../../program/state/program-files.ts";
+import { withCalls } from "../../program/tools/renumber-calls.ts";
+import { keptBeside, renumberedTools, type KeepAs, type KeptTools, type ToolBeside } from "../../program/tools/tool-difference.ts";
 import { editProgram, sessionView, useSession } from "../../app/fields/blocks/session.ts";
 import { shownFile } from "../../app/document/shown-file.ts";
 import { setJobOf } from "../../app/document/reading.ts";

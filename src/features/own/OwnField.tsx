@@ -1,6 +1,6 @@
 import { useId, useRef, type ReactNode } from "react";
-import { sumOf } from "../../program/field.ts";
-import type { OwnProblem } from "../../program/own-cycle.ts";
+import { sumOf } from "../../program/values/field.ts";
+import type { OwnProblem } from "../../program/edits/own-cycle.ts";
 import { useNumberEntry } from "../../app/fields/dialog/use-number-entry.ts";
 import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { Icon } from "../../app/base/Icon.tsx";

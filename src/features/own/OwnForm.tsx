@@ -2,7 +2,7 @@ import { useRef, type KeyboardEvent } from "react";
 import { flushSync } from "react-dom";
 import { statementLines } from "../../nc/print.ts";
 import { LAYOUTS } from "../../nc/style.ts";
-import { ownStatement, type OwnEntry, type OwnReading } from "../../program/own-cycle.ts";
+import { ownStatement, type OwnEntry, type OwnReading } from "../../program/edits/own-cycle.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { addParameter, hasRoom, setHead } from "../../app/fields/blocks/own-edits.ts";

@@ -3,7 +3,7 @@ import { cleanup, render, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { parse } from "../../nc/parse.ts";
-import { newParameter, OWN_SIZES, type OwnEntry } from "../../program/own-cycle.ts";
+import { newParameter, OWN_SIZES, type OwnEntry } from "../../program/edits/own-cycle.ts";
 import { onHistoryKey } from "../../app/document/history.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
 import { redo, undo, useSteps } from "../../app/document/steps.ts";

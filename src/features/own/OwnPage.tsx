@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
-import type { OwnEntry } from "../../program/own-cycle.ts";
+import type { OwnEntry } from "../../program/edits/own-cycle.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { TableStatus, type TableSaid } from "../../app/fields/table/TableStatus.tsx";

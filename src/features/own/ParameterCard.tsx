@@ -1,5 +1,5 @@
 import { useId } from "react";
-import { fieldId, OWN_KINDS, type OwnCell, type OwnKind, type OwnParameterEntry, type OwnProblem } from "../../program/own-cycle.ts";
+import { fieldId, OWN_KINDS, type OwnCell, type OwnKind, type OwnParameterEntry, type OwnProblem } from "../../program/edits/own-cycle.ts";
 import { Icon, type IconName } from "../../app/base/Icon.tsx";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { closeStep } from "../../app/document/steps.ts";

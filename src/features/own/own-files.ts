@@ -1,6 +1,6 @@
 import type { OwnTexts } from "../../i18n/en/own.ts";
-import { OWN_SIZES } from "../../program/own-cycle.ts";
-import { readLibraryFile, writeLibrary } from "../../program/own-library.ts";
+import { OWN_SIZES } from "../../program/edits/own-cycle.ts";
+import { readLibraryFile, writeLibrary } from "../../program/edits/own-library.ts";
 import { downloadText } from "../../app/base/download.ts";
 import { takeEntries } from "../../app/fields/blocks/own-edits.ts";
 import { openOwn } from "../../app/document/own-place.ts";

@@ -1,7 +1,7 @@
 import type { ReactNode } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import type { ClampingTexts } from "../../i18n/en/clamping.ts";
-import type { Clamping } from "../../kernel/clamping.ts";
+import type { Clamping } from "../../kernel/area/clamping.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import { boundsOf } from "../../view/bounds.ts";

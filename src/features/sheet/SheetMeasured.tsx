@@ -1,6 +1,6 @@
 import { useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
-import type { Run } from "../../program/run-types.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import type { MeasurementNow } from "../../view/measure/reading.ts";
 import type { SheetMeasurement } from "../../view/sheet/measured.ts";
 import { measurablePlane } from "../../app/pictures/plane/plane-source.ts";

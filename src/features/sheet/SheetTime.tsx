@@ -1,5 +1,5 @@
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
-import type { Run } from "../../program/run-types.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import { timeCauses, timeContents } from "../../app/findings/effect/time-contents.ts";
 import { useMachineTexts } from "../../app/base/use-machine-texts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";

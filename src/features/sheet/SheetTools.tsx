@@ -1,7 +1,7 @@
 import { useMemo } from "react";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
-import type { Tool } from "../../kernel/tool.ts";
-import type { Mill } from "../../program/plane-types.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import type { Mill } from "../../program/tools/plane-types.ts";
 import type { SetupData, SheetTool } from "../../report/sheet/setup-data.ts";
 import { millPicture, toolPicture } from "../../view/sheet/tool-picture.ts";
 import type { SheetWords } from "./sheet-words.ts";

@@ -2,7 +2,7 @@ import { useMemo } from "react";
 import { loadSheet } from "../../i18n/load-sheet.ts";
 import { parse } from "../../nc/parse.ts";
 import type { Program } from "../../nc/program.ts";
-import type { Control } from "../../program/plane-types.ts";
+import type { Control } from "../../program/tools/plane-types.ts";
 import { setupData, type SetupData } from "../../report/sheet/setup-data.ts";
 import { isMadeFrom, useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
 import { fileOfJob, printedText } from "../../app/document/printed.ts";

@@ -1,5 +1,5 @@
 import { cycleByNumber } from "../../cycles/index.ts";
-import { exampleJob, UNSET } from "../../program/job.ts";
+import { exampleJob, UNSET } from "../../program/job/job.ts";
 import { draftOf } from "../../app/document/edits.ts";
 import { FIRST_PLACE } from "../../app/fields/dialog/setup-prompts.ts";
 import { openPrompt } from "../../app/place/place.ts";

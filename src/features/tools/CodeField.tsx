@@ -1,7 +1,7 @@
 import { useId, useRef, useState } from "react";
 import { fillingOf, isWholeCode, nameOfCodes } from "../../program/iso-codes/code-cells.ts";
 import { readToolCodes } from "../../program/iso-codes/tool-code.ts";
-import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
+import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { CodeFillings, CodeNotes, CodeParts } from "./CodeReading.tsx";
 import { setCells } from "./tool-edits.ts";

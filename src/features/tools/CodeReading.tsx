@@ -2,7 +2,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import type { ToolCodeTexts } from "../../i18n/tool-code-text.ts";
 import { isHolderFilling, type CodeNote, type Filling } from "../../program/iso-codes/code-cells.ts";
 import type { CodePart, CodeMeaning } from "../../program/iso-codes/code-part.ts";
-import type { HolderCell } from "../../program/tool-columns.ts";
+import type { HolderCell } from "../../program/tools/tool-columns.ts";
 import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";

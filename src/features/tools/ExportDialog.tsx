@@ -1,7 +1,7 @@
 import { useRef } from "react";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
-import { originsOf } from "../../program/table-again.ts";
-import type { TableOrigin } from "../../program/tool-entry.ts";
+import { originsOf } from "../../program/tools/table-again.ts";
+import type { TableOrigin } from "../../program/tools/tool-entry.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import type { ExportKind } from "./tool-files.ts";

@@ -1,8 +1,8 @@
 import { useId } from "react";
-import type { Issue } from "../../kernel/issue.ts";
-import { readAxis } from "../../program/holder-cells.ts";
-import { HOLDER_NUMBERS } from "../../program/tool-columns.ts";
-import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
+import type { Issue } from "../../kernel/plan/issue.ts";
+import { readAxis } from "../../program/tools/holder-cells.ts";
+import { HOLDER_NUMBERS } from "../../program/tools/tool-columns.ts";
+import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { setCell } from "./tool-edits.ts";
 import { closeStep } from "../../app/document/steps.ts";

@@ -1,8 +1,8 @@
 import { useMemo, useRef } from "react";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
-import { HOLDER_CELLS, type HolderCell } from "../../program/tool-columns.ts";
-import type { ToolEntry } from "../../program/tool-entry.ts";
-import { planImport, type ImportChange } from "../../program/tool-import.ts";
+import { HOLDER_CELLS, type HolderCell } from "../../program/tools/tool-columns.ts";
+import type { ToolEntry } from "../../program/tools/tool-entry.ts";
+import { planImport, type ImportChange } from "../../program/tools/tool-import.ts";
 import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";

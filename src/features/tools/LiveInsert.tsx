@@ -1,8 +1,8 @@
 import { useMemo, useState } from "react";
 import { formatNumber } from "../../i18n/number.ts";
-import { insertOutline } from "../../kernel/insert.ts";
+import { insertOutline } from "../../kernel/cutter/insert.ts";
 import { CHORD, ROUND, SAME } from "../../kernel/tolerance.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { boundsOf } from "../../view/bounds.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { heldBounds, InsertDrawing } from "../../app/pictures/lathe/InsertDrawing.tsx";

@@ -1,8 +1,8 @@
-import { pointLength } from "../../kernel/drill.ts";
+import { pointLength } from "../../kernel/cutter/drill.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import { formatNumber } from "../../i18n/number.ts";
-import { drillOf } from "../../program/tool-call.ts";
-import type { MillTool } from "../../program/tool-entry.ts";
+import { drillOf } from "../../program/blocks/tool-call.ts";
+import type { MillTool } from "../../program/tools/tool-entry.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { wholeAbove } from "./LiveInsert.tsx";

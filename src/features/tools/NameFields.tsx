@@ -1,8 +1,8 @@
 import { useId } from "react";
-import type { Issue } from "../../kernel/issue.ts";
-import { TOOL_TYPES } from "../../kernel/tool.ts";
-import { isMillType, isToolType, MILL_TYPES } from "../../program/tool-columns.ts";
-import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
+import type { Issue } from "../../kernel/plan/issue.ts";
+import { TOOL_TYPES } from "../../kernel/plan/tool.ts";
+import { isMillType, isToolType, MILL_TYPES } from "../../program/tools/tool-columns.ts";
+import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { setCell } from "./tool-edits.ts";

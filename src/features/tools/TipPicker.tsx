@@ -1,6 +1,6 @@
 import { useRef } from "react";
 import { Radio, RadioGroup, type RadioProps } from "react-aria-components/RadioGroup";
-import type { TipOrientation, Tool } from "../../kernel/tool.ts";
+import type { TipOrientation, Tool } from "../../kernel/plan/tool.ts";
 import { InsertDrawing } from "../../app/pictures/lathe/InsertDrawing.tsx";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 

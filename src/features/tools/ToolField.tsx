@@ -1,9 +1,9 @@
 import { useId, useRef } from "react";
-import type { Issue } from "../../kernel/issue.ts";
-import { sumOf } from "../../program/field.ts";
-import type { HolderNumber, NumberColumn } from "../../program/tool-columns.ts";
-import { isDrillType, ruleOf } from "../../program/tool-columns.ts";
-import { cellOf, type ToolEntry } from "../../program/tool-entry.ts";
+import type { Issue } from "../../kernel/plan/issue.ts";
+import { sumOf } from "../../program/values/field.ts";
+import type { HolderNumber, NumberColumn } from "../../program/tools/tool-columns.ts";
+import { isDrillType, ruleOf } from "../../program/tools/tool-columns.ts";
+import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { FieldMessage } from "../../app/fields/dialog/FieldMessage.tsx";
 import { useNumberEntry } from "../../app/fields/dialog/use-number-entry.ts";
 import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";

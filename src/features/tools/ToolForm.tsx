@@ -1,8 +1,8 @@
 import { useId, useMemo, type KeyboardEvent } from "react";
-import type { Issue } from "../../kernel/issue.ts";
-import type { Tool } from "../../kernel/tool.ts";
-import { applies, isDrillType, MILL_TABLE, type MillColumn, type NumberColumn } from "../../program/tool-columns.ts";
-import { cellOf, isMillEntry, readEntry, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
+import type { Issue } from "../../kernel/plan/issue.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { applies, isDrillType, MILL_TABLE, type MillColumn, type NumberColumn } from "../../program/tools/tool-columns.ts";
+import { cellOf, isMillEntry, readEntry, type EntryReading, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { CodeField } from "./CodeField.tsx";

@@ -1,14 +1,14 @@
 import { memo, useEffect, useRef, type KeyboardEvent } from "react";
 import { formatNumber } from "../../i18n/number.ts";
-import { applies, MILL_TABLE, ruleOf, TOOL_COLUMNS, type MillColumn, type ToolColumn } from "../../program/tool-columns.ts";
-import { cellOf, type EntryReading, type ToolEntry } from "../../program/tool-entry.ts";
-import type { ToolListReading } from "../../program/tool-list.ts";
-import { anyNumber, readText } from "../../program/field.ts";
+import { applies, MILL_TABLE, ruleOf, TOOL_COLUMNS, type MillColumn, type ToolColumn } from "../../program/tools/tool-columns.ts";
+import { cellOf, type EntryReading, type ToolEntry } from "../../program/tools/tool-entry.ts";
+import type { ToolListReading } from "../../program/tools/tool-list.ts";
+import { anyNumber, readText } from "../../program/values/field.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { InsertDrawing } from "../../app/pictures/lathe/InsertDrawing.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
-import { drillOf } from "../../program/tool-call.ts";
+import { drillOf } from "../../program/blocks/tool-call.ts";
 import { openRow, type ToolKind } from "../../app/document/tool-place.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
 

@@ -4,7 +4,7 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { showOwn } from "../../app/document/own-place.ts";
 import { addTool, duplicateTool, removeTool, takeShipped } from "./tool-edits.ts";
-import { isMillEntry } from "../../program/tool-entry.ts";
+import { isMillEntry } from "../../program/tools/tool-entry.ts";
 import { bringFiles, exportAgain, exportTools, takeBrought, type Brought } from "./tool-files.ts";
 import { hideTools, openRow, showKind, useToolPlace, type ToolKind } from "../../app/document/tool-place.ts";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";

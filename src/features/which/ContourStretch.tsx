@@ -1,7 +1,7 @@
 import { useState } from "react";
 import type { WhichTexts } from "../../i18n/which-text.ts";
-import { boxOf } from "../../kernel/box.ts";
-import { part, type Segment } from "../../kernel/point.ts";
+import { boxOf } from "../../kernel/area/box.ts";
+import { part, type Segment } from "../../kernel/geometry/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 
 interface Props {

@@ -1,9 +1,9 @@
 import { cleanup, render, screen, waitFor, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { part } from "../../kernel/point.ts";
-import { at } from "../../kernel/point.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { part } from "../../kernel/geometry/point.ts";
+import { at } from "../../kernel/geometry/point.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { tryWay } from "../../report/which/try-way.ts";
 import { waysFor } from "../../report/which/ways.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";

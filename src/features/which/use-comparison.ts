@@ -1,6 +1,6 @@
 import { useEffect, useState } from "react";
 import type { Wanted } from "../../cycles/wanted.ts";
-import type { Ring } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Tried } from "../../report/which/try-way.ts";
 import type { Proposal } from "../../report/which/ways.ts";
 import type { Comparer } from "../../app/calculation/comparison.ts";

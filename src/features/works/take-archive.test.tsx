@@ -1,8 +1,8 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import { NO_PROGRESS, progressOfTask, withHint, withPass, withPlace } from "../../course/progress.ts";
-import { newParameter, type OwnEntry } from "../../program/own-cycle.ts";
-import { usualTable, writeCuttingTable } from "../../program/cutting-table.ts";
-import { shippedList } from "../../program/tool-list.ts";
+import { newParameter, type OwnEntry } from "../../program/edits/own-cycle.ts";
+import { usualTable, writeCuttingTable } from "../../program/tools/cutting-table.ts";
+import { shippedList } from "../../program/tools/tool-list.ts";
 import { startLearning, useLearning } from "../../app/records/course/progress.ts";
 import { takeOwn, useOwn } from "../../app/document/own-store.ts";
 import { answerOf } from "../../course/judge/answer.ts";

@@ -1,6 +1,6 @@
-import { readOwn, type OwnEntry } from "../../program/own-cycle.ts";
-import { mergedLibrary, type OwnList } from "../../program/own-library.ts";
-import { mergedTools, sameList, type ToolList } from "../../program/tool-list.ts";
+import { readOwn, type OwnEntry } from "../../program/edits/own-cycle.ts";
+import { mergedLibrary, type OwnList } from "../../program/edits/own-library.ts";
+import { mergedTools, sameList, type ToolList } from "../../program/tools/tool-list.ts";
 import { drawnId } from "../../app/base/chance.ts";
 import { editOwn, useOwn } from "../../app/document/own-store.ts";
 import { writeKeptOwn } from "../../app/records/keep-own.ts";

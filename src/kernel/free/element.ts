@@ -1,5 +1,5 @@
 import type { Turn } from "../geometry/segments.ts";
-import type { PlanePoint } from "../plane.ts";
+import type { PlanePoint } from "../plane/plane.ts";
 
 /** A number that is given outright, or counted from that of the end point of element `of` (0: the start point). */
 export type FreeValue = { readonly at: number } | { readonly by: number; readonly of: number } | null;

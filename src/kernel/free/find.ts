@@ -1,5 +1,5 @@
 import { FULL_TURN } from "../geometry/segments.ts";
-import { plane, type PlanePoint } from "../plane.ts";
+import { plane, type PlanePoint } from "../plane/plane.ts";
 import type { Curve, FreeElement } from "./element.ts";
 import { leastSquares } from "./least-squares.ts";
 import { directionAt, givenAngle, type FreePlaces, type Window } from "./window.ts";

@@ -1,6 +1,6 @@
 import * as fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { plane, type PlanePoint, type PlaneSegment } from "../plane.ts";
+import { plane, type PlanePoint, type PlaneSegment } from "../plane/plane.ts";
 import { signOf, type Turn } from "../geometry/segments.ts";
 import type { FreeElement } from "./element.ts";
 import { solveFreeContour } from "./solve.ts";

@@ -1,4 +1,4 @@
-import { plane, type PlanePoint, type PlaneSegment } from "../plane.ts";
+import { plane, type PlanePoint, type PlaneSegment } from "../plane/plane.ts";
 import type { Curve, FreeElement, FreeValue, FromPole } from "./element.ts";
 import { ROUNDED, solutionsOf, startOf, type Search } from "./find.ts";
 import { distanceFrom, endResiduals, windowOf, type FreePlaces, type Known, type Window } from "./window.ts";

@@ -1,5 +1,5 @@
 import { signOf, type Turn } from "../geometry/segments.ts";
-import { plane, type PlanePoint } from "../plane.ts";
+import { plane, type PlanePoint } from "../plane/plane.ts";
 import type { Curve, FreeElement, FromPole, FreeValue } from "./element.ts";
 import type { Residuals } from "./least-squares.ts";
 

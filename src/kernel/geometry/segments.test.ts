@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { at, part, type Segment } from "../point.ts";
+import { at, part, type Segment } from "./point.ts";
 
 const { flattened, flattenedChain, pointOn, polarOf } = part;
 

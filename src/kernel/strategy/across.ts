@@ -1,12 +1,12 @@
-import { areaOf } from "../area.ts";
-import { boxAround, inBox } from "../box.ts";
-import { intersection } from "../clip.ts";
-import { holderOutlines, hullOf } from "../holder.ts";
-import { insertOutline } from "../insert.ts";
-import { issue, type Issue } from "../issue.ts";
-import type { Move } from "../move.ts";
-import type { Plan, Setting } from "../plan.ts";
-import { at, part, type Pt, type Ring } from "../point.ts";
+import { areaOf } from "../area/area.ts";
+import { boxAround, inBox } from "../area/box.ts";
+import { intersection } from "../area/clip.ts";
+import { holderOutlines, hullOf } from "../cutter/holder.ts";
+import { insertOutline } from "../cutter/insert.ts";
+import { issue, type Issue } from "../plan/issue.ts";
+import type { Move } from "../plan/move.ts";
+import type { Plan, Setting } from "../plan/plan.ts";
+import { at, part, type Pt, type Ring } from "../geometry/point.ts";
 import { CHORD, SAME } from "../tolerance.ts";
 import { radius, rounded, toDiameter } from "../units.ts";
 

@@ -1,8 +1,8 @@
-import { flat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
-import { noseReach } from "../insert.ts";
-import type { Bound } from "../reach.ts";
+import { flat, toPart, type Flat, type FlatSegment, type Frame } from "../geometry/flat.ts";
+import { noseReach } from "../cutter/insert.ts";
+import type { Bound } from "../reach/reach.ts";
 import { ROUND, SAME } from "../tolerance.ts";
-import type { Tool } from "../tool.ts";
+import type { Tool } from "../plan/tool.ts";
 
 /*
  * The work turns about the axis: beyond it stands the mirror image of what stands on this side, and a cylinder of no radius is nothing.

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { linePiece, upperEnvelope } from "../envelope.ts";
+import { linePiece, upperEnvelope } from "../reach/envelope.ts";
 import { basinsOf } from "./basins.ts";
 
 const NOSE = { feature: "nose", on: "contour", corner: false } as const;

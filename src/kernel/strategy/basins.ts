@@ -1,6 +1,6 @@
-import { below } from "../below.ts";
-import { firstSpan, valueAt, type Envelope, type Interval, type Span } from "../envelope.ts";
-import type { Flat } from "../flat.ts";
+import { below } from "../reach/below.ts";
+import { firstSpan, valueAt, type Envelope, type Interval, type Span } from "../reach/envelope.ts";
+import type { Flat } from "../geometry/flat.ts";
 import { ROUND, SAME } from "../tolerance.ts";
 
 /** A stretch of an envelope that falls to one floor and rises again: one section of a contour for a tool that plunges. */

@@ -1,10 +1,10 @@
-import { extent, moved, type Convex } from "../convex.ts";
-import { heightAt, push, valueAt, type Envelope, type Interval, type Span } from "../envelope.ts";
-import { cuttingWidth, isBar, noseRadius } from "../insert.ts";
+import { extent, moved, type Convex } from "../reach/convex.ts";
+import { heightAt, push, valueAt, type Envelope, type Interval, type Span } from "../reach/envelope.ts";
+import { cuttingWidth, isBar, noseRadius } from "../cutter/insert.ts";
 import { JOINED, SAME } from "../tolerance.ts";
-import type { Tool } from "../tool.ts";
+import type { Tool } from "../plan/tool.ts";
 import { length } from "../units.ts";
-import type { Flat } from "../flat.ts";
+import type { Flat } from "../geometry/flat.ts";
 
 /*
  * A channel exactly as wide as the tool lets it in at one single place, and an envelope has none without a width. So the set of tip

@@ -1,9 +1,9 @@
-import { pieceOf } from "../cut-envelope.ts";
-import { crossings, heightAt, pathAlong, staysAbove, valueAt, type Envelope, type Stretch } from "../envelope.ts";
-import { flat, normalAt, tangentAt, type Flat, type FlatSegment } from "../flat.ts";
-import { issue, type Issue } from "../issue.ts";
+import { pieceOf } from "../reach/cut-envelope.ts";
+import { crossings, heightAt, pathAlong, staysAbove, valueAt, type Envelope, type Stretch } from "../reach/envelope.ts";
+import { flat, normalAt, tangentAt, type Flat, type FlatSegment } from "../geometry/flat.ts";
+import { issue, type Issue } from "../plan/issue.ts";
 import { SAME } from "../tolerance.ts";
-import type { Purpose } from "../track.ts";
+import type { Purpose } from "../plan/track.ts";
 import type { Feeds } from "./feeds.ts";
 import type { Ground } from "./ground.ts";
 import { falls } from "./levels.ts";

@@ -1,11 +1,11 @@
-import type { Flat, Frame } from "../flat.ts";
-import { toFlat } from "../flat.ts";
-import { extent } from "../convex.ts";
-import { isBar, noseRadius, tipDirection } from "../insert.ts";
-import { issue, type Issue } from "../issue.ts";
-import { at } from "../point.ts";
+import type { Flat, Frame } from "../geometry/flat.ts";
+import { toFlat } from "../geometry/flat.ts";
+import { extent } from "../reach/convex.ts";
+import { isBar, noseRadius, tipDirection } from "../cutter/insert.ts";
+import { issue, type Issue } from "../plan/issue.ts";
+import { at } from "../geometry/point.ts";
 import { SAME } from "../tolerance.ts";
-import type { TipOrientation, Tool, ToolType } from "../tool.ts";
+import type { TipOrientation, Tool, ToolType } from "../plan/tool.ts";
 import { insertIn } from "./ground.ts";
 
 const EVERY: readonly TipOrientation[] = [1, 2, 3, 4, 5, 6, 7, 8, 9];

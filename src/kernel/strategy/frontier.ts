@@ -1,9 +1,9 @@
-import { extent, type Convex } from "../convex.ts";
-import { aboveBy, besideAt, loweredBy, pieceOf, raised } from "../cut-envelope.ts";
-import { highest, higherOf, linePiece, type Envelope, type EnvelopePiece, type Interval, type Origin } from "../envelope.ts";
-import { toFlat, type Flat, type FlatSegment, type Frame } from "../flat.ts";
-import type { Ring } from "../point.ts";
-import { reachOver, type Bound } from "../reach.ts";
+import { extent, type Convex } from "../reach/convex.ts";
+import { aboveBy, besideAt, loweredBy, pieceOf, raised } from "../reach/cut-envelope.ts";
+import { highest, higherOf, linePiece, type Envelope, type EnvelopePiece, type Interval, type Origin } from "../reach/envelope.ts";
+import { toFlat, type Flat, type FlatSegment, type Frame } from "../geometry/flat.ts";
+import type { Ring } from "../geometry/point.ts";
+import { reachOver, type Bound } from "../reach/reach.ts";
 import { ROUND, SAME } from "../tolerance.ts";
 
 const CUT: Origin = { feature: "nose", on: "edge", corner: false };

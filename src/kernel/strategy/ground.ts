@@ -1,16 +1,16 @@
-import { extent, grown, grownRound, inFrame, type Convex } from "../convex.ts";
-import { besideAt } from "../cut-envelope.ts";
-import { below } from "../below.ts";
-import { higherOf, linePiece, pathAlong, upperEnvelope, type Envelope, type Origin, type EnvelopePiece } from "../envelope.ts";
-import { flat, normalAt, segmentToPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { extent, grown, grownRound, inFrame, type Convex } from "../reach/convex.ts";
+import { besideAt } from "../reach/cut-envelope.ts";
+import { below } from "../reach/below.ts";
+import { higherOf, linePiece, pathAlong, upperEnvelope, type Envelope, type Origin, type EnvelopePiece } from "../reach/envelope.ts";
+import { flat, normalAt, segmentToPart, type Flat, type FlatSegment, type Frame } from "../geometry/flat.ts";
 import { positive } from "../geometry/segments.ts";
-import { insertShape, isBar } from "../insert.ts";
-import { issue, type Issue, type Reason } from "../issue.ts";
-import type { Reach } from "../plan.ts";
-import { reachOver, type Bound } from "../reach.ts";
-import type { Tool } from "../tool.ts";
+import { insertShape, isBar } from "../cutter/insert.ts";
+import { issue, type Issue, type Reason } from "../plan/issue.ts";
+import type { Reach } from "../plan/plan.ts";
+import { reachOver, type Bound } from "../reach/reach.ts";
+import type { Tool } from "../plan/tool.ts";
 import { ROUND, SAME } from "../tolerance.ts";
-import { roomOf } from "../track.ts";
+import { roomOf } from "../plan/track.ts";
 import { aroundAxis, beyondAxis } from "./axis.ts";
 import { besideSlot, centredIn, channelsOf, slimmed, withSlots } from "./channels.ts";
 

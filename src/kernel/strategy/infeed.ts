@@ -1,6 +1,6 @@
-import { issue, type Issue } from "../issue.ts";
+import { issue, type Issue } from "../plan/issue.ts";
 import { SAME } from "../tolerance.ts";
-import type { Tool } from "../tool.ts";
+import type { Tool } from "../plan/tool.ts";
 
 /** A depth divided evenly: as few passes as the greatest infeed allows, all of the same depth. */
 export interface Division {

@@ -1,8 +1,8 @@
-import { pathAlong } from "../envelope.ts";
-import { flat, normalAt, segmentToFlat, segmentToPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
-import type { Segment } from "../point.ts";
+import { pathAlong } from "../reach/envelope.ts";
+import { flat, normalAt, segmentToFlat, segmentToPart, type Flat, type FlatSegment, type Frame } from "../geometry/flat.ts";
+import type { Segment } from "../geometry/point.ts";
 import { JOINED, ROUND } from "../tolerance.ts";
-import type { Tool } from "../tool.ts";
+import type { Tool } from "../plan/tool.ts";
 import { length } from "../units.ts";
 import { groundOver } from "./ground.ts";
 

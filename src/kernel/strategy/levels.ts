@@ -1,10 +1,10 @@
-import { below } from "../below.ts";
+import { below } from "../reach/below.ts";
 import { heightAt, higherOf, highest, linePiece, pathAlong, upperEnvelope, type Envelope, type Interval,
-  type Origin } from "../envelope.ts";
-import type { FlatSegment } from "../flat.ts";
-import type { Move } from "../move.ts";
+  type Origin } from "../reach/envelope.ts";
+import type { FlatSegment } from "../geometry/flat.ts";
+import type { Move } from "../plan/move.ts";
 import { JOINED, ROUND, SAME, SLIVER } from "../tolerance.ts";
-import type { Purpose } from "../track.ts";
+import type { Purpose } from "../plan/track.ts";
 import type { Feeds } from "./feeds.ts";
 import type { Cutter } from "./link.ts";
 

@@ -1,6 +1,6 @@
-import { toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
-import { issue, type Issue } from "../issue.ts";
-import type { MachiningLimit, Plan } from "../plan.ts";
+import { toPart, type Flat, type FlatSegment, type Frame } from "../geometry/flat.ts";
+import { issue, type Issue } from "../plan/issue.ts";
+import type { MachiningLimit, Plan } from "../plan/plan.ts";
 
 /** What machining limits leave to cut: a stretch of u, and heights. */
 export interface Limits {

@@ -1,10 +1,10 @@
 import { describe, expect, test } from "vitest";
-import { linePiece, upperEnvelope } from "../envelope.ts";
-import type { Flat, Frame } from "../flat.ts";
+import { linePiece, upperEnvelope } from "../reach/envelope.ts";
+import type { Flat, Frame } from "../geometry/flat.ts";
 import { insertIn } from "./ground.ts";
-import type { Move } from "../move.ts";
-import type { Tool } from "../tool.ts";
-import { roomOf } from "../track.ts";
+import type { Move } from "../plan/move.ts";
+import type { Tool } from "../plan/tool.ts";
+import { roomOf } from "../plan/track.ts";
 import { length } from "../units.ts";
 import { Frontier } from "./frontier.ts";
 import { Cutter, type Link } from "./link.ts";

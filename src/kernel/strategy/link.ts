@@ -1,8 +1,8 @@
-import { staysAbove, type Envelope } from "../envelope.ts";
-import type { Flat, FlatSegment, Frame } from "../flat.ts";
-import type { FeedUnit } from "../move.ts";
+import { staysAbove, type Envelope } from "../reach/envelope.ts";
+import type { Flat, FlatSegment, Frame } from "../geometry/flat.ts";
+import type { FeedUnit } from "../plan/move.ts";
 import { SAME } from "../tolerance.ts";
-import { Track, type Purpose, type Room } from "../track.ts";
+import { Track, type Purpose, type Room } from "../plan/track.ts";
 import type { Frontier } from "./frontier.ts";
 
 /** How a link runs. Lengths mm. */

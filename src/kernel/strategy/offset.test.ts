@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Issue } from "../issue.ts";
+import type { Issue } from "../plan/issue.ts";
 import { offsetPerPass } from "./offset.ts";
 
 /*

@@ -1,4 +1,4 @@
-import { issue, type Issue } from "../issue.ts";
+import { issue, type Issue } from "../plan/issue.ts";
 import { SAME } from "../tolerance.ts";
 import { roundedDown } from "../units.ts";
 

@@ -1,6 +1,6 @@
-import { segmentToPart, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../flat.ts";
+import { segmentToPart, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../geometry/flat.ts";
 import { hypotenuse } from "../geometry/vectors.ts";
-import { at, part, type Pt, type Ring, type Segment } from "../point.ts";
+import { at, part, type Pt, type Ring, type Segment } from "../geometry/point.ts";
 import { CHORD, GRID, ROUND } from "../tolerance.ts";
 
 const { flattenedChain } = part;

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { Issue } from "../issue.ts";
+import type { Issue } from "../plan/issue.ts";
 import { divideAllowance } from "./parallel-infeed.ts";
 
 const sum = (n: readonly number[] | null) => (n ?? []).reduce((a, b) => a + b, 0);

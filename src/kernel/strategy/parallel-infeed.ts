@@ -1,4 +1,4 @@
-import type { Issue } from "../issue.ts";
+import type { Issue } from "../plan/issue.ts";
 import { SAME } from "../tolerance.ts";
 import { divide } from "./infeed.ts";
 

@@ -1,7 +1,7 @@
-import { heightAt, pathAlong } from "../envelope.ts";
-import { flat, type FlatSegment } from "../flat.ts";
+import { heightAt, pathAlong } from "../reach/envelope.ts";
+import { flat, type FlatSegment } from "../geometry/flat.ts";
 import { SAME } from "../tolerance.ts";
-import type { Purpose } from "../track.ts";
+import type { Purpose } from "../plan/track.ts";
 import type { Basin } from "./basins.ts";
 import type { Ground } from "./ground.ts";
 import type { Cutter } from "./link.ts";

@@ -1,5 +1,5 @@
-import { heightAt, type Envelope } from "../envelope.ts";
-import type { Flat } from "../flat.ts";
+import { heightAt, type Envelope } from "../reach/envelope.ts";
+import type { Flat } from "../geometry/flat.ts";
 import { SAME } from "../tolerance.ts";
 import type { Basin } from "./basins.ts";
 import { partsOf } from "./infeed.ts";

@@ -1,10 +1,10 @@
-import { toPart } from "../flat.ts";
-import { cuttingWidth, isBar, noseRadius } from "../insert.ts";
-import { issue, type Issue } from "../issue.ts";
-import type { Plan, Setting } from "../plan.ts";
+import { toPart } from "../geometry/flat.ts";
+import { cuttingWidth, isBar, noseRadius } from "../cutter/insert.ts";
+import { issue, type Issue } from "../plan/issue.ts";
+import type { Plan, Setting } from "../plan/plan.ts";
 import { SAME } from "../tolerance.ts";
-import type { Tool, ToolType } from "../tool.ts";
-import { roomOf } from "../track.ts";
+import type { Tool, ToolType } from "../plan/tool.ts";
+import { roomOf } from "../plan/track.ts";
 import { length, toDiameter } from "../units.ts";
 import { clearAcross } from "./across.ts";
 import { beyondAxis } from "./axis.ts";

@@ -1,7 +1,7 @@
-import { heightAt, pathAlong, type Interval } from "../envelope.ts";
-import { flat, lowestOf, tangentAt, type Flat, type FlatSegment } from "../flat.ts";
+import { heightAt, pathAlong, type Interval } from "../reach/envelope.ts";
+import { flat, lowestOf, tangentAt, type Flat, type FlatSegment } from "../geometry/flat.ts";
 import { SAME } from "../tolerance.ts";
-import type { Purpose } from "../track.ts";
+import type { Purpose } from "../plan/track.ts";
 import { withinLimits } from "./finish.ts";
 import type { Ground } from "./ground.ts";
 import { falls } from "./levels.ts";

@@ -1,7 +1,7 @@
-import { lowest, pathAlong, type Interval } from "../envelope.ts";
-import { flat, type Flat, type FlatSegment } from "../flat.ts";
+import { lowest, pathAlong, type Interval } from "../reach/envelope.ts";
+import { flat, type Flat, type FlatSegment } from "../geometry/flat.ts";
 import { SAME } from "../tolerance.ts";
-import type { Purpose } from "../track.ts";
+import type { Purpose } from "../plan/track.ts";
 import type { Feeds } from "./feeds.ts";
 import type { Ground } from "./ground.ts";
 import { falls } from "./levels.ts";

@@ -1,5 +1,5 @@
-import { below } from "../below.ts";
-import { highest, lowest, type Envelope, type Interval } from "../envelope.ts";
+import { below } from "../reach/below.ts";
+import { highest, lowest, type Envelope, type Interval } from "../reach/envelope.ts";
 import { SAME } from "../tolerance.ts";
 
 /** A side of a section: where its wall begins, and how high the material beside it is cut away before. */

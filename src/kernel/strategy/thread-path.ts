@@ -1,4 +1,4 @@
-import type { Flat } from "../flat.ts";
+import type { Flat } from "../geometry/flat.ts";
 import { NOTHING, SAME } from "../tolerance.ts";
 
 /** Where the finished groove of a thread runs. Strategy space, mm. */

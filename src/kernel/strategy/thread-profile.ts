@@ -1,8 +1,8 @@
-import { linePiece, pathAlong, upperEnvelope, type EnvelopePiece, type Origin } from "../envelope.ts";
-import { toFlat, type Flat, type FlatSegment, type Frame } from "../flat.ts";
-import { insertOutline } from "../insert.ts";
+import { linePiece, pathAlong, upperEnvelope, type EnvelopePiece, type Origin } from "../reach/envelope.ts";
+import { toFlat, type Flat, type FlatSegment, type Frame } from "../geometry/flat.ts";
+import { insertOutline } from "../cutter/insert.ts";
 import { CHORD, ROUND } from "../tolerance.ts";
-import type { Tool } from "../tool.ts";
+import type { Tool } from "../plan/tool.ts";
 import { heightOn, type ThreadLine } from "./thread-path.ts";
 
 const TOOTH: Origin = { feature: "nose", on: "contour", corner: false };

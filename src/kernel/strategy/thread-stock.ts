@@ -1,7 +1,7 @@
-import { extent, type Convex } from "../convex.ts";
-import { toFlat, toPart, type Flat, type Frame } from "../flat.ts";
-import { issue, type Issue } from "../issue.ts";
-import type { Ring } from "../point.ts";
+import { extent, type Convex } from "../reach/convex.ts";
+import { toFlat, toPart, type Flat, type Frame } from "../geometry/flat.ts";
+import { issue, type Issue } from "../plan/issue.ts";
+import type { Ring } from "../geometry/point.ts";
 import { SAME } from "../tolerance.ts";
 import { toDiameter } from "../units.ts";
 import { heightOn, risesAt, shareAt, type ThreadLine } from "./thread-path.ts";

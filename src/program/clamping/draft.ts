@@ -1,9 +1,9 @@
-import { CHUCK_SIZES, type ClampingKind } from "../../kernel/clamping.ts";
+import { CHUCK_SIZES, type ClampingKind } from "../../kernel/area/clamping.ts";
 import { radius, toDiameter } from "../../kernel/units.ts";
 import { withBlock, withInserted, withoutBlocks } from "../../nc/edit.ts";
 import type { Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
-import { anyNumber, type Field } from "../field.ts";
+import { anyNumber, type Field } from "../values/field.ts";
 import { readClamping } from "./read-clamping.ts";
 import { ANY_NUMBER, CLAMPING_WORDS, clampingText, LEAST_ANGLE, MOST_ANGLE, neededWords, type ClampingDraft,
   type ClampingWord } from "./words.ts";

@@ -1,7 +1,7 @@
-import { missesBlank, clampingBodies, type Clamped, type Clamping, type ClampingKind } from "../../kernel/clamping.ts";
-import type { Ring } from "../../kernel/point.ts";
-import { programIssue } from "../issue.ts";
-import type { Machine } from "../machine.ts";
+import { missesBlank, clampingBodies, type Clamped, type Clamping, type ClampingKind } from "../../kernel/area/clamping.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import { programIssue } from "../state/issue.ts";
+import type { Machine } from "../state/machine.ts";
 import { ANY_NUMBER, CENTRE_ANGLE, CLAMPING_WORDS, LEAST_ANGLE, MOST_ANGLE, neededWords, type ClampingWord } from "./words.ts";
 
 /** What a comment states, in the unit of its program; `what`: words that say nothing that is known. */

@@ -1,4 +1,4 @@
-import type { ClampingKind } from "../../kernel/clamping.ts";
+import type { ClampingKind } from "../../kernel/area/clamping.ts";
 
 /*
  * `; CLAMPING CHUCK OUTSIDE D60 LENGTH25 FACE-75 SIZE200 QUILL40 TIP-2 ANGLE60 LIMITZ-72 LIMITX100`: a comment for a control, the clamping

@@ -1,5 +1,5 @@
 import { blockNumbers, type Program } from "../../nc/program.ts";
-import { operationsOf, wholeOf } from "../operations.ts";
+import { operationsOf, wholeOf } from "../edits/operations.ts";
 import type { BlockDifference, ProgramComparison } from "./compare.ts";
 
 /** What became of an operation. */

@@ -4,8 +4,8 @@ import { parameterValueText, statementLines } from "../../nc/print.ts";
 import { feedText } from "../../nc/print-words.ts";
 import type { AxisWord, Label, NamedWord, Parameter, PolarWord, Statement, StatementOf, Value, Words } from "../../nc/statement.ts";
 import { LAYOUTS, type Style } from "../../nc/style.ts";
-import { CONTOUR_CYCLE, contourLabels } from "../contour-names.ts";
-import { PROGRAM_CYCLE } from "../program-calls.ts";
+import { CONTOUR_CYCLE, contourLabels } from "../state/contour-names.ts";
+import { PROGRAM_CYCLE } from "../blocks/program-calls.ts";
 
 /** What a block says, apart from how it is written. */
 export interface Meaning {

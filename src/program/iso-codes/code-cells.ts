@@ -1,6 +1,6 @@
-import { HOLDER_CELLS, type CellName } from "../tool-columns.ts";
-import { cellOf, type ToolEntry } from "../tool-entry.ts";
-import { anyNumber, readText } from "../field.ts";
+import { HOLDER_CELLS, type CellName } from "../tools/tool-columns.ts";
+import { cellOf, type ToolEntry } from "../tools/tool-entry.ts";
+import { anyNumber, readText } from "../values/field.ts";
 import type { HolderCode } from "./holder-code.ts";
 import { holderCellsOf, type HeldInsert, type NoShank } from "./holder-shape.ts";
 import type { InsertCode } from "./insert-code.ts";

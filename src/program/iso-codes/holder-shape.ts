@@ -1,5 +1,5 @@
-import { writeHead } from "../holder-cells.ts";
-import type { HolderCell } from "../tool-columns.ts";
+import { writeHead } from "../tools/holder-cells.ts";
+import type { HolderCell } from "../tools/tool-columns.ts";
 import type { Hand } from "./code-part.ts";
 import type { HolderCode } from "./holder-code.ts";
 import { BAR_REACH, SHANK_REACH } from "./holder-facts.ts";

@@ -1,13 +1,13 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { areaOf } from "../../kernel/area.ts";
-import { intersection } from "../../kernel/clip.ts";
-import { holderOutlines } from "../../kernel/holder.ts";
-import { insertOutline, insertShape } from "../../kernel/insert.ts";
-import type { Pt, Ring } from "../../kernel/point.ts";
-import type { Tool } from "../../kernel/tool.ts";
-import type { CellName } from "../tool-columns.ts";
-import { readEntry, type ToolEntry } from "../tool-entry.ts";
+import { areaOf } from "../../kernel/area/area.ts";
+import { intersection } from "../../kernel/area/clip.ts";
+import { holderOutlines } from "../../kernel/cutter/holder.ts";
+import { insertOutline, insertShape } from "../../kernel/cutter/insert.ts";
+import type { Pt, Ring } from "../../kernel/geometry/point.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import type { CellName } from "../tools/tool-columns.ts";
+import { readEntry, type ToolEntry } from "../tools/tool-entry.ts";
 import { fillingOf, isWholeCode } from "./code-cells.ts";
 import { readToolCodes } from "./tool-code.ts";
 

@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { never } from "../../kernel/never.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { degrees, length } from "../../kernel/units.ts";
 import { advise, SPINDLE, type Advised } from "./advise.ts";
-import { readCuttingTable, usualTable, writeCuttingTable } from "../../program/cutting-table.ts";
+import { readCuttingTable, usualTable, writeCuttingTable } from "../../program/tools/cutting-table.ts";
 import { cuttingForce, cuttingPower, depthForPower, feedForRz, heldDownTo, rpmFor, specificForce } from "./formulas.ts";
 
 const steel = { kc11: 2220, mc: 0.14 };

@@ -1,14 +1,14 @@
 import type { Cycle } from "../../cycles/define.ts";
 import type { SomeValues } from "../../cycles/effect.ts";
 import type { Param, Topic } from "../../cycles/params.ts";
-import { cutLength, isBar, noseRadius } from "../../kernel/insert.ts";
-import type { Spindle } from "../../kernel/step.ts";
-import { speedAt, withinLimit } from "../../kernel/time.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import { cutLength, isBar, noseRadius } from "../../kernel/cutter/insert.ts";
+import type { Spindle } from "../../kernel/time/step.ts";
+import { speedAt, withinLimit } from "../../kernel/time/time.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { diameter, radians, rounded, roundedDown, toRadius } from "../../kernel/units.ts";
 import { ROUGH_RZ, rzByRule } from "../../sim/load/cusp.ts";
-import { powerAt, type SpindleData } from "../../program/machine-data.ts";
-import type { CuttingTable, CutMaterial } from "../../program/cutting-table.ts";
+import { powerAt, type SpindleData } from "../../program/machine/machine-data.ts";
+import type { CuttingTable, CutMaterial } from "../../program/tools/cutting-table.ts";
 import { cuttingPower, depthForPower, EDGE_USED, FEED_OF_NOSE, feedForRz, heldDownTo } from "./formulas.ts";
 
 /** What a cycle is asked about: its values, and what stands round them. */

@@ -1,8 +1,8 @@
 import { startLines, type Program } from "../../nc/program.ts";
 import type { ComparedOperation } from "../../program/compare/by-operation.ts";
-import { operationsOf, wholeOf } from "../../program/operations.ts";
-import { fileKey } from "../../program/program-files.ts";
-import type { Run } from "../../program/run-types.ts";
+import { operationsOf, wholeOf } from "../../program/edits/operations.ts";
+import { fileKey } from "../../program/state/program-files.ts";
+import type { Run } from "../../program/state/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 
 /** What a stretch of a program does: passes, the deepest infeed in mm, seconds, and mm² that stay. */

@@ -1,5 +1,5 @@
-import type { Step } from "../../kernel/step.ts";
-import { pathOf, travelOf } from "../../kernel/time.ts";
+import type { Step } from "../../kernel/time/step.ts";
+import { pathOf, travelOf } from "../../kernel/time/time.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { StepPiece } from "./step-pieces.ts";
 

@@ -1,10 +1,10 @@
-import { areaOf } from "../../kernel/area.ts";
-import { boxAround } from "../../kernel/box.ts";
-import { difference, opened } from "../../kernel/clip.ts";
+import { areaOf } from "../../kernel/area/area.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { difference, opened } from "../../kernel/area/clip.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
-import type { Ring } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import { SLIVER } from "../../kernel/tolerance.ts";
-import type { Run, RunFinding } from "../../program/run-types.ts";
+import type { Run, RunFinding } from "../../program/state/run-types.ts";
 import { roughnessOf } from "../../sim/load/roughness.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { ownWays, waysApart } from "./ways-apart.ts";

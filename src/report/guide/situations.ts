@@ -1,7 +1,7 @@
 import { neutralOf, saysNothing, type SomeValues } from "../../cycles/effect.ts";
 import type { Cycle, Given } from "../../cycles/define.ts";
 import type { Param, Topic } from "../../cycles/params.ts";
-import { boxOf } from "../../kernel/box.ts";
+import { boxOf } from "../../kernel/area/box.ts";
 import { rounded, toDiameter } from "../../kernel/units.ts";
 import { neededFor, threeValues, type Candidates } from "./three-values.ts";
 

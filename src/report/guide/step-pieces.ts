@@ -1,6 +1,6 @@
 import { repeatedIn } from "../../cycles/acts-in.ts";
 import type { Cycle } from "../../cycles/define.ts";
-import type { Step } from "../../kernel/step.ts";
+import type { Step } from "../../kernel/time/step.ts";
 
 /** A numbered step of the manual and the piece of a run that shows it. */
 export interface StepPiece {

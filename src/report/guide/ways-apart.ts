@@ -1,6 +1,6 @@
-import { part, type Pt, type Segment } from "../../kernel/point.ts";
-import { pathOf } from "../../kernel/time.ts";
-import type { Run } from "../../program/run-types.ts";
+import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
+import { pathOf } from "../../kernel/time/time.ts";
+import type { Run } from "../../program/state/run-types.ts";
 
 /** Ways nearer than this lie on each other in a picture, mm. */
 const ON_EACH_OTHER = 0.05;

@@ -2,8 +2,8 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, test } from "vitest";
 import { parse } from "../../nc/parse.ts";
-import { run } from "../../program/run.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { run } from "../../program/run/run.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { setupData, type SetupData } from "./setup-data.ts";
 
 const mills = [{ T: 41, NAME: "MILL-D7.5", R: 3.75 }];

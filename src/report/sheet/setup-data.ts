@@ -1,16 +1,16 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { isKept } from "../../cycles/kept-cycles.ts";
-import type { FeedUnit } from "../../kernel/move.ts";
-import type { Pt } from "../../kernel/point.ts";
-import type { Spindle, Step } from "../../kernel/step.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import type { FeedUnit } from "../../kernel/plan/move.ts";
+import type { Pt } from "../../kernel/geometry/point.ts";
+import type { Spindle, Step } from "../../kernel/time/step.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { IN_MM, type LengthUnit } from "../../kernel/units.ts";
 import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
 import type { AxisName } from "../../nc/statement.ts";
-import { wordsOf } from "../../program/flow.ts";
-import { isOff, KEPT_ON, operationsOf, wholeOf } from "../../program/operations.ts";
-import type { Mill } from "../../program/plane-types.ts";
-import type { Operation, Run } from "../../program/run-types.ts";
+import { wordsOf } from "../../program/blocks/flow.ts";
+import { isOff, KEPT_ON, operationsOf, wholeOf } from "../../program/edits/operations.ts";
+import type { Mill } from "../../program/tools/plane-types.ts";
+import type { Operation, Run } from "../../program/state/run-types.ts";
 import { definedIn, calledName, toolCallsOf, isNamed, isParameter, speedOf } from "./tool-calls.ts";
 
 /** A feed of an operation as the program states it. */

@@ -1,8 +1,8 @@
-import type { Spindle } from "../../kernel/step.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import type { Spindle } from "../../kernel/time/step.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Program } from "../../nc/program.ts";
 import type { Statement, Value } from "../../nc/statement.ts";
-import type { Run } from "../../program/run-types.ts";
+import type { Run } from "../../program/state/run-types.ts";
 
 /** One call of a tool. */
 export interface SheetCall {

@@ -3,14 +3,14 @@ import { catalogue } from "../../cycles/index.ts";
 import type { Topic } from "../../cycles/params.ts";
 import { useOf, worksAcross } from "../../cycles/use.ts";
 import { canLean, type Wanted } from "../../cycles/wanted.ts";
-import type { Ring } from "../../kernel/point.ts";
-import type { Tool } from "../../kernel/tool.ts";
-import { cuttingWidth, isBar, noseRadius } from "../../kernel/insert.ts";
-import { readRows } from "../../program/contour-rows.ts";
-import type { SetJob } from "../../program/job.ts";
-import { readDraft } from "../../program/read-draft.ts";
-import { jobFor, tipAtCall, withValue } from "../../program/wanted-job.ts";
-import { isUsualTool, rankTools } from "../../program/which-tool.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { cuttingWidth, isBar, noseRadius } from "../../kernel/cutter/insert.ts";
+import { readRows } from "../../program/job/contour-rows.ts";
+import type { SetJob } from "../../program/job/job.ts";
+import { readDraft } from "../../program/job/read-draft.ts";
+import { jobFor, tipAtCall, withValue } from "../../program/job/wanted-job.ts";
+import { isUsualTool, rankTools } from "../../program/tools/which-tool.ts";
 
 /** One way to make what is wanted: a cycle with its values, and a tool. */
 export interface Proposal {

@@ -1,10 +1,10 @@
 import { describe, expect, test } from "vitest";
-import { readDraft } from "../../program/read-draft.ts";
+import { readDraft } from "../../program/job/read-draft.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
 import type { Wanted } from "../../cycles/wanted.ts";
 import { useOf } from "../../cycles/use.ts";
 import { axial, diameter, length } from "../../kernel/units.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { bestFirst, bestOf } from "./best.ts";
 import { tryWay } from "./try-way.ts";
 import { waysFor } from "./ways.ts";

@@ -1,11 +1,11 @@
 import { expect, test } from "vitest";
-import { insertOutline } from "../../kernel/insert.ts";
-import { at, type Pt, type Ring } from "../../kernel/point.ts";
-import type { Step } from "../../kernel/step.ts";
+import { insertOutline } from "../../kernel/cutter/insert.ts";
+import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
+import type { Step } from "../../kernel/time/step.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { degrees, feed, length } from "../../kernel/units.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { simulate } from "../simulate.ts";
 import { playerOf } from "../stock.ts";
 import { chipAt, sameChip, type ChipWork } from "./chip.ts";

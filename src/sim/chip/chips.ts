@@ -1,4 +1,4 @@
-import type { Step } from "../../kernel/step.ts";
+import type { Step } from "../../kernel/time/step.ts";
 import type { SpindleFrom } from "../load/spindles.ts";
 import { outlinesOf } from "../outlines.ts";
 import type { PlayPosition } from "../simulation.ts";

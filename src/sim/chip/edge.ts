@@ -1,5 +1,5 @@
 import { hypotenuse } from "../../kernel/geometry/vectors.ts";
-import { at, part, type Pt, type Ring } from "../../kernel/point.ts";
+import { at, part, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { GRID } from "../../kernel/tolerance.ts";
 
 /** Two places on the grid of the polygon engine are on one straight side when they are this near to it, mm. */

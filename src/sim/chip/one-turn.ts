@@ -1,6 +1,6 @@
-import type { Step } from "../../kernel/step.ts";
-import { turnsIn } from "../../kernel/thread-turns.ts";
-import { pathOf, travelOf } from "../../kernel/time.ts";
+import type { Step } from "../../kernel/time/step.ts";
+import { turnsIn } from "../../kernel/time/thread-turns.ts";
+import { pathOf, travelOf } from "../../kernel/time/time.ts";
 import { feedPerTurn, rpmAt, spindleAt, type SpindleFrom } from "../load/spindles.ts";
 import type { PlayPosition } from "../simulation.ts";
 

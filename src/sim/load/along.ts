@@ -1,7 +1,7 @@
-import type { Ring } from "../../kernel/point.ts";
-import { part } from "../../kernel/point.ts";
-import type { Stated, Step } from "../../kernel/step.ts";
-import { cuttingSpeedAt, isAtLimit, pathOf, travelOf } from "../../kernel/time.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import { part } from "../../kernel/geometry/point.ts";
+import type { Stated, Step } from "../../kernel/time/step.ts";
+import { cuttingSpeedAt, isAtLimit, pathOf, travelOf } from "../../kernel/time/time.ts";
 import { SAME, SLIVER } from "../../kernel/tolerance.ts";
 import { cutting } from "../cutting.ts";
 import { outlinesOf } from "../outlines.ts";

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import { flat } from "../../kernel/flat.ts";
-import { insertShape } from "../../kernel/insert.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import { flat } from "../../kernel/geometry/flat.ts";
+import { insertShape } from "../../kernel/cutter/insert.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { degrees, length, radians } from "../../kernel/units.ts";
 import { cuspOf, rzByRule, rzOfCircle } from "./cusp.ts";
 

@@ -1,6 +1,6 @@
-import type { Convex, Edge } from "../../kernel/convex.ts";
-import { support } from "../../kernel/convex.ts";
-import { flat, type Flat } from "../../kernel/flat.ts";
+import type { Convex, Edge } from "../../kernel/reach/convex.ts";
+import { support } from "../../kernel/reach/convex.ts";
+import { flat, type Flat } from "../../kernel/geometry/flat.ts";
 import { positive } from "../../kernel/geometry/segments.ts";
 import { ROUND } from "../../kernel/tolerance.ts";
 

@@ -1,10 +1,10 @@
-import { areaOf } from "../../kernel/area.ts";
-import { at, part, type Pt, type Ring } from "../../kernel/point.ts";
-import type { Step } from "../../kernel/step.ts";
+import { areaOf } from "../../kernel/area/area.ts";
+import { at, part, type Pt, type Ring } from "../../kernel/geometry/point.ts";
+import type { Step } from "../../kernel/time/step.ts";
 import { NOTHING } from "../../kernel/tolerance.ts";
 import { inStock } from "../contact.ts";
 import type { Present } from "../cutting.ts";
-import { boxAround } from "../../kernel/box.ts";
+import { boxAround } from "../../kernel/area/box.ts";
 import { scanCrossings } from "../scan.ts";
 import { sweptBy, type Sweep } from "../sweep.ts";
 

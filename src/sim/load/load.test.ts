@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
-import type { FeedUnit, Move } from "../../kernel/move.ts";
-import { at, part, type Pt, type Ring } from "../../kernel/point.ts";
-import type { Spindle, Step } from "../../kernel/step.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import type { FeedUnit, Move } from "../../kernel/plan/move.ts";
+import { at, part, type Pt, type Ring } from "../../kernel/geometry/point.ts";
+import type { Spindle, Step } from "../../kernel/time/step.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { degrees, feed, length, radians } from "../../kernel/units.ts";
 import { simulate } from "../simulate.ts";
 import { loadAlong, type PathLoad } from "./along.ts";

@@ -1,6 +1,6 @@
-import type { Move } from "../../kernel/move.ts";
-import type { Spindle } from "../../kernel/step.ts";
-import { speedAt } from "../../kernel/time.ts";
+import type { Move } from "../../kernel/plan/move.ts";
+import type { Spindle } from "../../kernel/time/step.ts";
+import { speedAt } from "../../kernel/time/time.ts";
 
 /** How the spindle turns, from a step on; null until a speed was programmed. In the order of the steps. */
 export interface SpindleFrom {

@@ -1,12 +1,12 @@
-import { edgeEnd, edgeStart, type Convex } from "../../kernel/convex.ts";
-import { flat, type Flat } from "../../kernel/flat.ts";
-import { insertShape, shiftOf } from "../../kernel/insert.ts";
-import { at, part, type Pt, type Ring, type Segment } from "../../kernel/point.ts";
-import type { Step } from "../../kernel/step.ts";
-import { pathOf } from "../../kernel/time.ts";
+import { edgeEnd, edgeStart, type Convex } from "../../kernel/reach/convex.ts";
+import { flat, type Flat } from "../../kernel/geometry/flat.ts";
+import { insertShape, shiftOf } from "../../kernel/cutter/insert.ts";
+import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
+import type { Step } from "../../kernel/time/step.ts";
+import { pathOf } from "../../kernel/time/time.ts";
 import { SAME, SLIVER } from "../../kernel/tolerance.ts";
-import type { Tool } from "../../kernel/tool.ts";
-import { moved, support } from "../../kernel/convex.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { moved, support } from "../../kernel/reach/convex.ts";
 import { touchIndex } from "../touch-index.ts";
 
 /** A surface is looked at in pieces of this length, mm, or longer ones where it is so long that there would be more than MOST. */

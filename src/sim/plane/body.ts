@@ -1,7 +1,7 @@
-import { boxAround, type Cuboid } from "../../kernel/box.ts";
-import { intersection } from "../../kernel/clip.ts";
-import { partPoint, plane } from "../../kernel/plane.ts";
-import { at, type Ring } from "../../kernel/point.ts";
+import { boxAround, type Cuboid } from "../../kernel/area/box.ts";
+import { intersection } from "../../kernel/area/clip.ts";
+import { partPoint, plane } from "../../kernel/plane/plane.ts";
+import { at, type Ring } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { BodyHeights } from "./depths.ts";
 

@@ -1,4 +1,4 @@
-import { spotOn, type MillMotion } from "../../kernel/mill-motion.ts";
+import { spotOn, type MillMotion } from "../../kernel/plane/mill-motion.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 
 /** More depths than an eye tells apart by their tone are put together, but for this many at least. */

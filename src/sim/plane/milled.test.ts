@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
-import { areaOf } from "../../kernel/area.ts";
-import { difference, intersection, union } from "../../kernel/clip.ts";
-import type { MillMotion } from "../../kernel/mill-motion.ts";
-import { at, type Ring } from "../../kernel/point.ts";
+import { areaOf } from "../../kernel/area/area.ts";
+import { difference, intersection, union } from "../../kernel/area/clip.ts";
+import type { MillMotion } from "../../kernel/plane/mill-motion.ts";
+import { at, type Ring } from "../../kernel/geometry/point.ts";
 import type { MilledBody } from "./body.ts";
 import { milledStock, type MilledMoment } from "./milled.ts";
 

@@ -1,8 +1,8 @@
-import { areaOf } from "../../kernel/area.ts";
-import { difference, intersection, union, unpacked } from "../../kernel/clip.ts";
-import { isRapid, type MillMotion } from "../../kernel/mill-motion.ts";
-import type { Ring } from "../../kernel/point.ts";
-import { real } from "../../kernel/real-area.ts";
+import { areaOf } from "../../kernel/area/area.ts";
+import { difference, intersection, union, unpacked } from "../../kernel/area/clip.ts";
+import { isRapid, type MillMotion } from "../../kernel/plane/mill-motion.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import { real } from "../../kernel/area/real-area.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { inStock } from "../contact.ts";
 import { cutting, type Cutting } from "../cutting.ts";

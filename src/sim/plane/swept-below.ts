@@ -1,7 +1,7 @@
-import { spotOn, wayOf, type MillMotion, type MillSpot } from "../../kernel/mill-motion.ts";
-import { partSegment, plane, type PlaneSegment } from "../../kernel/plane.ts";
+import { spotOn, wayOf, type MillMotion, type MillSpot } from "../../kernel/plane/mill-motion.ts";
+import { partSegment, plane, type PlaneSegment } from "../../kernel/plane/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
-import type { Ring } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import { coveredOn, type Sweep } from "../sweep.ts";
 import { roundRing, PLANE_CHORD } from "./body.ts";
 

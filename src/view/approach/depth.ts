@@ -1,5 +1,5 @@
-import { isRapid, wayOf, type MillMotion } from "../../kernel/mill-motion.ts";
-import { plane } from "../../kernel/plane.ts";
+import { isRapid, wayOf, type MillMotion } from "../../kernel/plane/mill-motion.ts";
+import { plane } from "../../kernel/plane/plane.ts";
 
 /** The height of the tool over its path: a strip 1 wide and 1 high, upper side first. */
 export interface DepthStrip {

@@ -1,5 +1,5 @@
-import type { Approach } from "../../kernel/approach.ts";
-import type { PlanePoint } from "../../kernel/plane.ts";
+import type { Approach } from "../../kernel/plane/approach.ts";
+import type { PlanePoint } from "../../kernel/plane/plane.ts";
 import type { Camera, Place } from "../camera.ts";
 import { lineBox, textBox, type Candidate, type Item } from "../help/labels.ts";
 import { arcPath, arrowHead } from "../help/marks.ts";

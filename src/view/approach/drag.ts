@@ -1,5 +1,5 @@
-import type { Approach, PointName } from "../../kernel/approach.ts";
-import { plane, type PlanePoint } from "../../kernel/plane.ts";
+import type { Approach, PointName } from "../../kernel/plane/approach.ts";
+import { plane, type PlanePoint } from "../../kernel/plane/plane.ts";
 import { inDegrees, rounded } from "../../kernel/units.ts";
 
 const { cross, difference, dot, leftOf, scaled } = plane;

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
-import { approach } from "../../kernel/approach.ts";
-import { compensate } from "../../kernel/compensate.ts";
-import type { PlaneSegment } from "../../kernel/plane.ts";
+import { approach } from "../../kernel/plane/approach.ts";
+import { compensate } from "../../kernel/plane/compensate.ts";
+import type { PlaneSegment } from "../../kernel/plane/plane.ts";
 import { depthStrip, stripAt } from "./depth.ts";
 import { dragged } from "./drag.ts";
 import { approachDrawing } from "./drawing.ts";

@@ -1,5 +1,5 @@
-import type { Approach } from "../../kernel/approach.ts";
-import { partSegment, plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
+import type { Approach } from "../../kernel/plane/approach.ts";
+import { partSegment, plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane/plane.ts";
 import type { Camera, Place, Size } from "../camera.ts";
 import { arrange, type LabelBox } from "../help/labels.ts";
 import { arrowHead, circle, polyline, segmentPath, type Mark } from "../help/marks.ts";

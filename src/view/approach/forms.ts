@@ -1,5 +1,5 @@
-import { approach, type Approach, type ApproachRequest, type ApproachShape } from "../../kernel/approach.ts";
-import { plane, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "../../kernel/plane.ts";
+import { approach, type Approach, type ApproachRequest, type ApproachShape } from "../../kernel/plane/approach.ts";
+import { plane, towardsTool, type PlanePoint, type PlaneSegment, type Side } from "../../kernel/plane/plane.ts";
 
 const { apart, beyond, direction } = plane;
 

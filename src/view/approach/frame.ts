@@ -1,5 +1,5 @@
-import type { Approach } from "../../kernel/approach.ts";
-import { partPoint, plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane.ts";
+import type { Approach } from "../../kernel/plane/approach.ts";
+import { partPoint, plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane/plane.ts";
 import { boundsOf } from "../bounds.ts";
 import { fitted, toScreen, type Bounds, type Camera, type Margin, type Place, type Size } from "../camera.ts";
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { at, type Ring } from "../../kernel/point.ts";
+import { at, type Ring } from "../../kernel/geometry/point.ts";
 import type { MilledMoment } from "../../sim/plane/milled.ts";
 import type { Pen } from "../material/pen.ts";
 import { paintMilled, toneOfDepth } from "./milled-paint.ts";

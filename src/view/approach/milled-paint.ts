@@ -1,6 +1,6 @@
-import { boxOf } from "../../kernel/box.ts";
+import { boxOf } from "../../kernel/area/box.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
-import type { Ring } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import type { MilledMoment } from "../../sim/plane/milled.ts";
 import type { Camera } from "../camera.ts";
 import type { Patch, Pen } from "../material/pen.ts";

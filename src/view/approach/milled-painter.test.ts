@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { MillMotion } from "../../kernel/mill-motion.ts";
+import type { MillMotion } from "../../kernel/plane/mill-motion.ts";
 import { milledStock } from "../../sim/plane/milled.ts";
 import type { Patch, Pen } from "../material/pen.ts";
 import { milledPainter, type MilledLook } from "./milled-painter.ts";

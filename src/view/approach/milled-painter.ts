@@ -1,4 +1,4 @@
-import type { MillMotion } from "../../kernel/mill-motion.ts";
+import type { MillMotion } from "../../kernel/plane/mill-motion.ts";
 import type { MilledMoment, MilledStock } from "../../sim/plane/milled.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Camera } from "../camera.ts";

@@ -1,5 +1,5 @@
-import type { NamedPoints, PointName } from "../../kernel/approach.ts";
-import { plane, type PlanePoint } from "../../kernel/plane.ts";
+import type { NamedPoints, PointName } from "../../kernel/plane/approach.ts";
+import { plane, type PlanePoint } from "../../kernel/plane/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Camera, Size } from "../camera.ts";
 import { arrange } from "../help/labels.ts";

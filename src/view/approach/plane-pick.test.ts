@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
-import type { MillMotion } from "../../kernel/mill-motion.ts";
-import { at } from "../../kernel/point.ts";
+import type { MillMotion } from "../../kernel/plane/mill-motion.ts";
+import { at } from "../../kernel/geometry/point.ts";
 import { motionAt, type NamedLead } from "./plane-pick.ts";
 import { milledBetween } from "./touched-plane.ts";
 

@@ -1,7 +1,7 @@
-import type { NamedPoints } from "../../kernel/approach.ts";
-import { isRapid, wayOf, type MillMotion } from "../../kernel/mill-motion.ts";
-import { partPoint, partSegment, plane, planePoint, type PlanePoint } from "../../kernel/plane.ts";
-import type { Pt } from "../../kernel/point.ts";
+import type { NamedPoints } from "../../kernel/plane/approach.ts";
+import { isRapid, wayOf, type MillMotion } from "../../kernel/plane/mill-motion.ts";
+import { partPoint, partSegment, plane, planePoint, type PlanePoint } from "../../kernel/plane/plane.ts";
+import type { Pt } from "../../kernel/geometry/point.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { fractionNear, nearestStep, type Looked } from "../pick.ts";
 

@@ -1,5 +1,5 @@
-import { isRapid, spotOn, wayOf, type MillMotion, type MillSpot } from "../../kernel/mill-motion.ts";
-import { partPoint, partSegment, type PlaneSegment } from "../../kernel/plane.ts";
+import { isRapid, spotOn, wayOf, type MillMotion, type MillSpot } from "../../kernel/plane/mill-motion.ts";
+import { partPoint, partSegment, type PlaneSegment } from "../../kernel/plane/plane.ts";
 import { boundsOf, grownBounds, joined } from "../bounds.ts";
 import type { Bounds } from "../camera.ts";
 import { segmentData } from "../path.ts";

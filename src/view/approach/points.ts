@@ -1,5 +1,5 @@
-import type { Approach, PointName } from "../../kernel/approach.ts";
-import { plane, type PlanePoint } from "../../kernel/plane.ts";
+import type { Approach, PointName } from "../../kernel/plane/approach.ts";
+import { plane, type PlanePoint } from "../../kernel/plane/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Camera, Place } from "../camera.ts";
 import { SIZE, textWidth, type Candidate, type Item } from "../help/labels.ts";

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { axial, radius } from "../../kernel/units.ts";
 import { toScreen, type Camera } from "../camera.ts";
 import { withRoom } from "./room.ts";
-import { at } from "../../kernel/point.ts";
+import { at } from "../../kernel/geometry/point.ts";
 
 const lead = { points: { PS: { x: 10, y: 30 }, PH: { x: 6, y: 21 }, PA: { x: 3, y: 19 } } };
 const camera = (scale: number): Camera => ({ scale, xUp: true, zero: { x: 0, y: 0 } });

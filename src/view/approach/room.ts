@@ -1,5 +1,5 @@
-import { plane, type PlanePoint } from "../../kernel/plane.ts";
-import type { NamedPoints } from "../../kernel/approach.ts";
+import { plane, type PlanePoint } from "../../kernel/plane/plane.ts";
+import type { NamedPoints } from "../../kernel/plane/approach.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Camera } from "../camera.ts";
 

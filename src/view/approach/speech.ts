@@ -1,4 +1,4 @@
-import type { PlanePoint } from "../../kernel/plane.ts";
+import type { PlanePoint } from "../../kernel/plane/plane.ts";
 
 /** Numbers of an approach in the way of the screen language. */
 export interface ApproachSpeech {

@@ -1,6 +1,6 @@
-import { wayOf, type MillMotion } from "../../kernel/mill-motion.ts";
-import { partSegment, plane } from "../../kernel/plane.ts";
-import { part } from "../../kernel/point.ts";
+import { wayOf, type MillMotion } from "../../kernel/plane/mill-motion.ts";
+import { partSegment, plane } from "../../kernel/plane/plane.ts";
+import { part } from "../../kernel/geometry/point.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { grownBounds, joined } from "../bounds.ts";
 import type { Bounds } from "../camera.ts";

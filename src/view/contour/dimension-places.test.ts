@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { part } from "../../kernel/point.ts";
+import { part } from "../../kernel/geometry/point.ts";
 import { fitted, toScreen } from "../camera.ts";
 import { labelsOverlap } from "../help/labels.ts";
 import { placedDimensions, type AskedDimension, type DimensionSheet } from "./dimension-places.ts";

@@ -1,4 +1,4 @@
-import { part, type Pt, type Segment } from "../../kernel/point.ts";
+import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { radians } from "../../kernel/units.ts";
 import { toScreen, type Camera, type Place, type Size } from "../camera.ts";
 import { textWidth, type LabelBox } from "../help/labels.ts";

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import { at } from "../../kernel/point.ts";
-import type { Tool } from "../../kernel/tool.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { at } from "../../kernel/geometry/point.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import type { Camera } from "../camera.ts";
 import { breakData, breakOf } from "./break-line.ts";
 

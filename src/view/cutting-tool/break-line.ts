@@ -1,6 +1,6 @@
-import { holderOutlines, shankAxis } from "../../kernel/holder.ts";
-import type { Pt } from "../../kernel/point.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import { holderOutlines, shankAxis } from "../../kernel/cutter/holder.ts";
+import type { Pt } from "../../kernel/geometry/point.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { boundsOf } from "../bounds.ts";
 import { toScreen, type Bounds, type Camera, type Place } from "../camera.ts";
 import type { Seen } from "../edge-mark.ts";

@@ -4,14 +4,14 @@ import { chipsOf } from "../../sim/chip/chips.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { playerOf } from "../../sim/stock.ts";
 import { parse } from "../../nc/parse.ts";
-import { run } from "../../program/run.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { run } from "../../program/run/run.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import shoulder from "../../examples/shoulder.h?raw";
 import { fitted } from "../camera.ts";
 import { ringData } from "../path.ts";
 import { svgText } from "../svg.ts";
 import { tipAt } from "../tip.ts";
-import { at, type Ring } from "../../kernel/point.ts";
+import { at, type Ring } from "../../kernel/geometry/point.ts";
 import { chipMeasure, drawnChip } from "./chip-drawing.ts";
 import { toolShapes } from "./drawing.ts";
 

@@ -1,4 +1,4 @@
-import type { Pt } from "../../kernel/point.ts";
+import type { Pt } from "../../kernel/geometry/point.ts";
 import type { Chip } from "../../sim/chip/chip.ts";
 import type { Place } from "../camera.ts";
 import { ringData, segmentData } from "../path.ts";

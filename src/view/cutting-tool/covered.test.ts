@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { at, type Pt } from "../../kernel/point.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { at, type Pt } from "../../kernel/geometry/point.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { toScreen, type Camera, type Place } from "../camera.ts";
 import { liesInward, windowsOf } from "./covered.ts";
 import { silhouetteOf } from "./silhouette.ts";

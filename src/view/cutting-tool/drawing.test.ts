@@ -1,10 +1,10 @@
 import { describe, expect, test } from "vitest";
-import { holderOutlines } from "../../kernel/holder.ts";
-import { insertOutline, isBar } from "../../kernel/insert.ts";
+import { holderOutlines } from "../../kernel/cutter/holder.ts";
+import { insertOutline, isBar } from "../../kernel/cutter/insert.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { length } from "../../kernel/units.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { fitted } from "../camera.ts";
 import { ringData } from "../path.ts";
 import { svgText } from "../svg.ts";

@@ -1,12 +1,12 @@
-import { areaOf, areaOfRing } from "../../kernel/area.ts";
-import { boxAround, boxOf } from "../../kernel/box.ts";
-import { intersection, offset, union } from "../../kernel/clip.ts";
-import { isDrill } from "../../kernel/drill.ts";
-import { holderOutlines, shankAxis } from "../../kernel/holder.ts";
-import { flanksUnknown, insertOutline, insertShape, isBar, shiftOf, tipDirection } from "../../kernel/insert.ts";
-import { at, part, type Pt, type Ring } from "../../kernel/point.ts";
+import { areaOf, areaOfRing } from "../../kernel/area/area.ts";
+import { boxAround, boxOf } from "../../kernel/area/box.ts";
+import { intersection, offset, union } from "../../kernel/area/clip.ts";
+import { isDrill } from "../../kernel/cutter/drill.ts";
+import { holderOutlines, shankAxis } from "../../kernel/cutter/holder.ts";
+import { flanksUnknown, insertOutline, insertShape, isBar, shiftOf, tipDirection } from "../../kernel/cutter/insert.ts";
+import { at, part, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { rightOf } from "../../sim/sweep.ts";
 import { ringData, startData } from "../path.ts";
 

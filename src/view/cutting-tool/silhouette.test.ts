@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { at } from "../../kernel/point.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { at } from "../../kernel/geometry/point.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { liesBehind, silhouetteOf } from "./silhouette.ts";
 
 /** A disc with a boss before it and a groove in its face, and a ring that stands alone further left. */

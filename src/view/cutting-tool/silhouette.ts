@@ -1,10 +1,10 @@
-import { areaOf } from "../../kernel/area.ts";
-import { intersection } from "../../kernel/clip.ts";
-import { holderOutlines } from "../../kernel/holder.ts";
-import { insertOutline } from "../../kernel/insert.ts";
-import { at, type Pt, type Ring } from "../../kernel/point.ts";
+import { areaOf } from "../../kernel/area/area.ts";
+import { intersection } from "../../kernel/area/clip.ts";
+import { holderOutlines } from "../../kernel/cutter/holder.ts";
+import { insertOutline } from "../../kernel/cutter/insert.ts";
+import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { toolBox } from "./drawing.ts";
 
 /**

@@ -1,6 +1,6 @@
-import { boxAround } from "../../kernel/box.ts";
-import { simplified } from "../../kernel/clip.ts";
-import { at, type Pt, type Ring } from "../../kernel/point.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { simplified } from "../../kernel/area/clip.ts";
+import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import type { Place } from "../camera.ts";
 import { lineThrough, onPaperGrid, type PrintShape } from "./paper.ts";
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { at, part, type Pt } from "../../kernel/point.ts";
+import { at, part, type Pt } from "../../kernel/geometry/point.ts";
 import { printFeatures } from "./print-features.ts";
 
 const chain = (...points: readonly Pt[]) => points.slice(1).map((to, i) => part.line(points[i] ?? to, to));

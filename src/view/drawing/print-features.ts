@@ -1,4 +1,4 @@
-import { at, part, type Pt, type Segment } from "../../kernel/point.ts";
+import { at, part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 
 /** A turned surface of one diameter, from its end near the chuck to its free end. Part space, mm. */
 export interface PrintCylinder {

@@ -1,4 +1,4 @@
-import { at, type Pt, type Ring, type Segment } from "../../kernel/point.ts";
+import { at, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { diameter, type Diameter, toDiameter } from "../../kernel/units.ts";
 import { BESIDE, spanAt, type PrintThread } from "./body.ts";
 import type { PrintSize } from "./paper.ts";

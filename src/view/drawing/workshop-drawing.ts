@@ -1,6 +1,6 @@
-import { boxAround } from "../../kernel/box.ts";
-import { intersection } from "../../kernel/clip.ts";
-import { at, part, type Pt, type Ring } from "../../kernel/point.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { intersection } from "../../kernel/area/clip.ts";
+import { at, part, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { toDiameter } from "../../kernel/units.ts";
 import type { Place } from "../camera.ts";
 import { DRAWING_SCALES, factorOf, usualScale, type DrawingScale } from "../sheet/scales.ts";

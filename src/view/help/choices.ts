@@ -1,4 +1,4 @@
-import type { Pt } from "../../kernel/point.ts";
+import type { Pt } from "../../kernel/geometry/point.ts";
 import { toScreen } from "../camera.ts";
 import { numberOf, type Context } from "./context.ts";
 import type { Lettering } from "./dimensions.ts";

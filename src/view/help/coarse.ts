@@ -1,7 +1,7 @@
 import type { Given } from "../../cycles/define.ts";
-import { boxAround } from "../../kernel/box.ts";
-import { coarsened } from "../../kernel/clip.ts";
-import { part, type Segment } from "../../kernel/point.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { coarsened } from "../../kernel/area/clip.ts";
+import { part, type Segment } from "../../kernel/geometry/point.ts";
 
 /** A contour with more elements is drawn by fewer: planning it as it is takes longer than anybody waits for a help picture. */
 const MANY = 150;

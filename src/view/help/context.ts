@@ -1,7 +1,7 @@
 import type { Outline } from "../../cycles/define.ts";
 import type { Params } from "../../cycles/params.ts";
-import type { Plan } from "../../kernel/plan.ts";
-import { part, type Pt, type Segment } from "../../kernel/point.ts";
+import type { Plan } from "../../kernel/plan/plan.ts";
+import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import type { Lettering } from "./dimensions.ts";
 import { along, outward, pointAt, type HelpFrame } from "./frame.ts";
 import type { Numbers } from "./lettering.ts";

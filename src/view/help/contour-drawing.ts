@@ -1,4 +1,4 @@
-import { part, type Pt, type Segment } from "../../kernel/point.ts";
+import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { boundsOf } from "../bounds.ts";
 import { fitted, toPlace, toScreen, type Camera, type Margin, type Place, type Size } from "../camera.ts";

@@ -1,4 +1,4 @@
-import { part, type Pt, type Segment } from "../../kernel/point.ts";
+import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { toScreen, type Camera, type Place } from "../camera.ts";
 import { textBox, type LabelBox, type Placed } from "./labels.ts";
 import { elementAt } from "./process.ts";

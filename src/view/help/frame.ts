@@ -1,5 +1,5 @@
-import { mirrors, toFlat, toPart, type Frame } from "../../kernel/flat.ts";
-import type { Pt } from "../../kernel/point.ts";
+import { mirrors, toFlat, toPart, type Frame } from "../../kernel/geometry/flat.ts";
+import type { Pt } from "../../kernel/geometry/point.ts";
 
 /** How strategy space lies in the drawing, and whether the tool goes into a groove. */
 export interface HelpFrame extends Frame {

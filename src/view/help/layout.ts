@@ -1,5 +1,5 @@
 import type { Dimension } from "../../cycles/define.ts";
-import { at, type Pt } from "../../kernel/point.ts";
+import { at, type Pt } from "../../kernel/geometry/point.ts";
 import { boundsOf } from "../bounds.ts";
 import { toScreen, type Bounds, type Camera, type Place, type Size } from "../camera.ts";
 import { pointAt, type HelpFrame } from "./frame.ts";

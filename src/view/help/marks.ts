@@ -1,4 +1,4 @@
-import { part, type Segment } from "../../kernel/point.ts";
+import { part, type Segment } from "../../kernel/geometry/point.ts";
 import { toScreen, type Camera, type Place } from "../camera.ts";
 
 /** What a filled shape stands for. */

@@ -1,9 +1,9 @@
-import type { Frame } from "../../kernel/flat.ts";
-import type { Move } from "../../kernel/move.ts";
-import type { Plan } from "../../kernel/plan.ts";
-import type { Pt, Segment } from "../../kernel/point.ts";
+import type { Frame } from "../../kernel/geometry/flat.ts";
+import type { Move } from "../../kernel/plan/move.ts";
+import type { Plan } from "../../kernel/plan/plan.ts";
+import type { Pt, Segment } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
-import { pathOf } from "../../kernel/time.ts";
+import { pathOf } from "../../kernel/time/time.ts";
 import { outward } from "./frame.ts";
 import { drawnLine } from "./section.ts";
 

@@ -1,6 +1,6 @@
 import type { Dimension, Outline } from "../../cycles/define.ts";
 import type { Params, Topic } from "../../cycles/params.ts";
-import type { Plan } from "../../kernel/plan.ts";
+import type { Plan } from "../../kernel/plan/plan.ts";
 import { STEP, toDiameter } from "../../kernel/units.ts";
 import { toScreen, type Place, type Size } from "../camera.ts";
 import * as choices from "./choices.ts";

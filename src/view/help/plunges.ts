@@ -1,5 +1,5 @@
 import { CHIP_BREAK } from "../../kernel/strategy/plunge-cuts.ts";
-import type { Pt } from "../../kernel/point.ts";
+import type { Pt } from "../../kernel/geometry/point.ts";
 import { toScreen } from "../camera.ts";
 import { numberOf, type Context } from "./context.ts";
 import { dimensionItem, leader, type Lettering } from "./dimensions.ts";

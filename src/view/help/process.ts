@@ -1,7 +1,7 @@
 import type { Dimension } from "../../cycles/define.ts";
-import { fallingRuns } from "../../kernel/bridge.ts";
-import { segmentToFlat, segmentToPart } from "../../kernel/flat.ts";
-import { part, type Pt, type Segment } from "../../kernel/point.ts";
+import { fallingRuns } from "../../kernel/reach/bridge.ts";
+import { segmentToFlat, segmentToPart } from "../../kernel/geometry/flat.ts";
+import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { keptOver } from "../../kernel/strategy/kept.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
 import { toScreen, type Place } from "../camera.ts";

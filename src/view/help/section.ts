@@ -1,4 +1,4 @@
-import { part, type Pt, type Segment } from "../../kernel/point.ts";
+import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { along, outward, pointAt, type HelpFrame } from "./frame.ts";
 import { ROUND, SAME } from "../../kernel/tolerance.ts";
 

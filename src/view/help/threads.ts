@@ -1,4 +1,4 @@
-import { part, type Pt } from "../../kernel/point.ts";
+import { part, type Pt } from "../../kernel/geometry/point.ts";
 import { numberOf, type Context } from "./context.ts";
 import type { Lettering } from "./dimensions.ts";
 import { along, outward, pointAt } from "./frame.ts";

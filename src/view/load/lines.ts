@@ -1,6 +1,6 @@
-import { part, type Segment } from "../../kernel/point.ts";
-import type { Step } from "../../kernel/step.ts";
-import { pathOf } from "../../kernel/time.ts";
+import { part, type Segment } from "../../kernel/geometry/point.ts";
+import type { Step } from "../../kernel/time/step.ts";
+import { pathOf } from "../../kernel/time/time.ts";
 import type { PathLoad } from "../../sim/load/along.ts";
 import type { RoughStretch } from "../../sim/load/roughness.ts";
 import { segmentData } from "../path.ts";

@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
-import type { Move } from "../../kernel/move.ts";
-import { at, type Pt } from "../../kernel/point.ts";
-import type { Step } from "../../kernel/step.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import type { Move } from "../../kernel/plan/move.ts";
+import { at, type Pt } from "../../kernel/geometry/point.ts";
+import type { Step } from "../../kernel/time/step.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { feed, length } from "../../kernel/units.ts";
 import type { PathLoad } from "../../sim/load/along.ts";
 import type { RoughStretch } from "../../sim/load/roughness.ts";

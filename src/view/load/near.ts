@@ -1,4 +1,4 @@
-import { part, type Pt } from "../../kernel/point.ts";
+import { part, type Pt } from "../../kernel/geometry/point.ts";
 import type { RoughStretch } from "../../sim/load/roughness.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 

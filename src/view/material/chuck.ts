@@ -1,5 +1,5 @@
-import { jawWidth, type Clamped } from "../../kernel/clamping.ts";
-import type { Ring } from "../../kernel/point.ts";
+import { jawWidth, type Clamped } from "../../kernel/area/clamping.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import { radiusOf } from "../../kernel/units.ts";
 import { boundsOf, joined } from "../bounds.ts";
 import type { Bounds } from "../camera.ts";

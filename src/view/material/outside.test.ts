@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { part } from "../../kernel/point.ts";
+import { part } from "../../kernel/geometry/point.ts";
 import { outsideData } from "./outside.ts";
 
 const ring = (...places: readonly (readonly [z: number, r: number])[]) => places.map(([z, r]) => part.point(z, r));

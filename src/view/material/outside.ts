@@ -1,4 +1,4 @@
-import type { Ring } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import { boundsOf } from "../bounds.ts";
 import { seenOutside, type DrawnLine } from "./lines.ts";
 import { boundaryIn, columnsOf } from "./scan.ts";

@@ -1,5 +1,5 @@
 import { hypotenuse } from "../../kernel/geometry/vectors.ts";
-import type { Ring } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Maker, StockSide, Surfaces } from "./surfaces.ts";
 

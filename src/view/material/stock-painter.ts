@@ -1,5 +1,5 @@
-import type { Ring } from "../../kernel/point.ts";
-import type { Step } from "../../kernel/step.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import type { Step } from "../../kernel/time/step.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Camera } from "../camera.ts";
 import { paintMaterial, type Material } from "./paint.ts";

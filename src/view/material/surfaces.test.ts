@@ -1,13 +1,13 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import flange from "../../examples/flange.h?raw";
-import type { Move } from "../../kernel/move.ts";
-import { at, type Ring } from "../../kernel/point.ts";
-import type { Spindle, Step } from "../../kernel/step.ts";
+import type { Move } from "../../kernel/plan/move.ts";
+import { at, type Ring } from "../../kernel/geometry/point.ts";
+import type { Spindle, Step } from "../../kernel/time/step.ts";
 import { feed, length } from "../../kernel/units.ts";
 import { parse } from "../../nc/parse.ts";
-import { run } from "../../program/run.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { run } from "../../program/run/run.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { stockAt } from "../../sim/stock.ts";
 import { feedLines, FEED_LINES, seenInside, seenOutside, turnsInside, turnsOutside } from "./lines.ts";

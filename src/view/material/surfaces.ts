@@ -1,8 +1,8 @@
-import { isDrill } from "../../kernel/drill.ts";
+import { isDrill } from "../../kernel/cutter/drill.ts";
 import { hypotenuse } from "../../kernel/geometry/vectors.ts";
-import { noseRadius } from "../../kernel/insert.ts";
-import type { Spindle, Step } from "../../kernel/step.ts";
-import { handOf, type ThreadHand } from "../../kernel/thread-turns.ts";
+import { noseRadius } from "../../kernel/cutter/insert.ts";
+import type { Spindle, Step } from "../../kernel/time/step.ts";
+import { handOf, type ThreadHand } from "../../kernel/time/thread-turns.ts";
 import { GRID, SAME } from "../../kernel/tolerance.ts";
 import { ROUGH_RZ, rzByRule } from "../../sim/load/cusp.ts";
 import { feedPerTurn, rpmAt } from "../../sim/load/spindles.ts";

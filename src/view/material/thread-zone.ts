@@ -1,4 +1,4 @@
-import type { ThreadHand } from "../../kernel/thread-turns.ts";
+import type { ThreadHand } from "../../kernel/time/thread-turns.ts";
 import type { Camera } from "../camera.ts";
 import type { Boundary, SurfaceEdge } from "./scan.ts";
 

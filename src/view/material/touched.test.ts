@@ -2,13 +2,13 @@ import fc from "fast-check";
 import { expect, test } from "vitest";
 
 import flange from "../../examples/flange.h?raw";
-import { areaOfRing } from "../../kernel/area.ts";
-import { difference } from "../../kernel/clip.ts";
+import { areaOfRing } from "../../kernel/area/area.ts";
+import { difference } from "../../kernel/area/clip.ts";
 import { parse } from "../../nc/parse.ts";
-import { at, type Pt, type Ring } from "../../kernel/point.ts";
+import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { GRID } from "../../kernel/tolerance.ts";
-import { run } from "../../program/run.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { run } from "../../program/run/run.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { sameBlank, stockAt } from "../../sim/stock.ts";
 import { fitted, type Bounds } from "../camera.ts";

@@ -1,8 +1,8 @@
-import { insertOutline } from "../../kernel/insert.ts";
-import { at, part } from "../../kernel/point.ts";
-import type { Step } from "../../kernel/step.ts";
-import { pathOf } from "../../kernel/time.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import { insertOutline } from "../../kernel/cutter/insert.ts";
+import { at, part } from "../../kernel/geometry/point.ts";
+import type { Step } from "../../kernel/time/step.ts";
+import { pathOf } from "../../kernel/time/time.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { boundsOf, grownBounds, joined } from "../bounds.ts";
 import { toScreen, type Bounds, type Camera } from "../camera.ts";

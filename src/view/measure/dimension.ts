@@ -1,4 +1,4 @@
-import { at, part, type Pt } from "../../kernel/point.ts";
+import { at, part, type Pt } from "../../kernel/geometry/point.ts";
 import { toScreen, type Camera, type Place } from "../camera.ts";
 import type { Figure } from "./figure.ts";
 

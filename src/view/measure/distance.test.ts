@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import type { Pt } from "../../kernel/point.ts";
+import type { Pt } from "../../kernel/geometry/point.ts";
 import { axial, radius } from "../../kernel/units.ts";
 import { gaugedFor, measure, measuredFor, nudged } from "./distance.ts";
 

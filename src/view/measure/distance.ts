@@ -1,6 +1,6 @@
 import type { Kind } from "../../cycles/params.ts";
-import type { MeasuredKind } from "../../kernel/measured.ts";
-import type { Pt } from "../../kernel/point.ts";
+import type { MeasuredKind } from "../../kernel/plan/measured.ts";
+import type { Pt } from "../../kernel/geometry/point.ts";
 import { axial, type Diameter, radius, rounded, roundedAngle, roundedInch, toDiameter, toRadius } from "../../kernel/units.ts";
 
 /** What lies between two places. */

@@ -1,5 +1,5 @@
-import type { MeasuredEdge } from "../../kernel/measured.ts";
-import { part, type Pt, type Ring, type Segment } from "../../kernel/point.ts";
+import type { MeasuredEdge } from "../../kernel/plan/measured.ts";
+import { part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { CHORD, SAME } from "../../kernel/tolerance.ts";
 
 /** A contour as a chain of segments that follow each other. */

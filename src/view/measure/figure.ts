@@ -1,5 +1,5 @@
-import type { MeasuredKind, MeasuredPlace } from "../../kernel/measured.ts";
-import { at, part, type Pt, type Segment } from "../../kernel/point.ts";
+import type { MeasuredKind, MeasuredPlace } from "../../kernel/plan/measured.ts";
+import { at, part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { ROUND, SAME } from "../../kernel/tolerance.ts";
 import { inDegrees, toDiameter } from "../../kernel/units.ts";
 import { onSide, halfOf } from "./snap.ts";

@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { at } from "../../kernel/point.ts";
+import { at } from "../../kernel/geometry/point.ts";
 import { toScreen, type Camera } from "../camera.ts";
 import { labelsOverlap } from "../help/labels.ts";
 import { measuredOnPaper } from "../sheet/measured.ts";

@@ -1,4 +1,4 @@
-import { at, type Pt } from "../../kernel/point.ts";
+import { at, type Pt } from "../../kernel/geometry/point.ts";
 import { toScreen, type Place, type Size } from "../camera.ts";
 import { labelsOverlap, textWidth, type LabelBox } from "../help/labels.ts";
 import { dimensionLines, opening, type DimensionLines, type DimensionPaper } from "./dimension.ts";

@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import type { MeasuredKind, MeasuredMoment, MeasuredPlace, Measurement } from "../../kernel/measured.ts";
-import { at, part, type Pt, type Ring, type Segment } from "../../kernel/point.ts";
+import type { MeasuredKind, MeasuredMoment, MeasuredPlace, Measurement } from "../../kernel/plan/measured.ts";
+import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { chainOfRing, NOTHING_MEASURABLE, type Measurable } from "./edges.ts";
 import { gauged } from "./figure.ts";
 import { readMeasurement } from "./reading.ts";

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import { at } from "../../kernel/point.ts";
-import type { Step } from "../../kernel/step.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import { at } from "../../kernel/geometry/point.ts";
+import type { Step } from "../../kernel/time/step.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { feed, length } from "../../kernel/units.ts";
 import { printsOf, printsOfMilled, type StockMaker } from "./print.ts";
 

@@ -1,8 +1,8 @@
-import type { MeasuredMoment } from "../../kernel/measured.ts";
-import type { MillMotion } from "../../kernel/mill-motion.ts";
-import type { Ring } from "../../kernel/point.ts";
-import type { Stated, Step } from "../../kernel/step.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import type { MeasuredMoment } from "../../kernel/plan/measured.ts";
+import type { MillMotion } from "../../kernel/plane/mill-motion.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import type { Stated, Step } from "../../kernel/time/step.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 
 /** What makes the stock of a program. */
 export interface StockMaker {

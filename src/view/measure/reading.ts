@@ -1,5 +1,5 @@
-import type { MeasuredEdge, MeasuredMoment, MeasuredPlace, Measurement } from "../../kernel/measured.ts";
-import { part, type Pt, type Segment } from "../../kernel/point.ts";
+import type { MeasuredEdge, MeasuredMoment, MeasuredPlace, Measurement } from "../../kernel/plan/measured.ts";
+import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { segmentNow, type Measurable } from "./edges.ts";
 import { gauged, type Gauged } from "./figure.ts";

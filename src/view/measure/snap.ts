@@ -1,5 +1,5 @@
-import type { MeasuredEdge, MeasuredKind, MeasuredPlace } from "../../kernel/measured.ts";
-import { at, part, type Pt } from "../../kernel/point.ts";
+import type { MeasuredEdge, MeasuredKind, MeasuredPlace } from "../../kernel/plan/measured.ts";
+import { at, part, type Pt } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { measurableEdges, type Measurable } from "./edges.ts";
 

@@ -1,5 +1,5 @@
-import type { MeasuredKind, MeasuredPlace } from "../../kernel/measured.ts";
-import { part } from "../../kernel/point.ts";
+import type { MeasuredKind, MeasuredPlace } from "../../kernel/plan/measured.ts";
+import { part } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { gauged } from "./figure.ts";
 import type { Snapping } from "./snap.ts";

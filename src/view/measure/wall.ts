@@ -1,5 +1,5 @@
-import type { MeasuredEdge, MeasuredPlace } from "../../kernel/measured.ts";
-import { part, type Pt } from "../../kernel/point.ts";
+import type { MeasuredEdge, MeasuredPlace } from "../../kernel/plan/measured.ts";
+import { part, type Pt } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { onSide, halfOf, type Snapping } from "./snap.ts";
 

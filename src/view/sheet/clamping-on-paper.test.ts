@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import { clampingBodies, type Clamping } from "../../kernel/clamping.ts";
-import { boxAround } from "../../kernel/box.ts";
-import { at } from "../../kernel/point.ts";
+import { clampingBodies, type Clamping } from "../../kernel/area/clamping.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { at } from "../../kernel/geometry/point.ts";
 import { clampingNear } from "./clamping-on-paper.ts";
 
 const blank = [[at(-100, 0), at(0, 0), at(0, 30), at(-100, 30)]], bounds = { left: -100, right: 0, low: 0, high: 30 };

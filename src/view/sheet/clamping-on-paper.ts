@@ -1,6 +1,6 @@
-import type { Clamped } from "../../kernel/clamping.ts";
-import { intersection } from "../../kernel/clip.ts";
-import { at, type Pt, type Ring } from "../../kernel/point.ts";
+import type { Clamped } from "../../kernel/area/clamping.ts";
+import { intersection } from "../../kernel/area/clip.ts";
+import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Bounds } from "../camera.ts";
 

@@ -1,6 +1,6 @@
-import { boxAround } from "../../kernel/box.ts";
-import { isInside } from "../../kernel/clip.ts";
-import { at, part, type Pt, type Ring, type Segment } from "../../kernel/point.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { isInside } from "../../kernel/area/clip.ts";
+import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 
 /** A diameter of the finished part: the point that its line begins at, and whether material lies inside of it. */
 export interface DiameterFeature {

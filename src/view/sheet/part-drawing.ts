@@ -1,6 +1,6 @@
-import type { Clamped } from "../../kernel/clamping.ts";
-import type { Pt, Ring, Segment } from "../../kernel/point.ts";
-import { at, part } from "../../kernel/point.ts";
+import type { Clamped } from "../../kernel/area/clamping.ts";
+import type { Pt, Ring, Segment } from "../../kernel/geometry/point.ts";
+import { at, part } from "../../kernel/geometry/point.ts";
 import { type Diameter, toDiameter } from "../../kernel/units.ts";
 import { boundsOf, joined, mirrored } from "../bounds.ts";
 import type { Place } from "../camera.ts";

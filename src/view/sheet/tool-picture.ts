@@ -1,9 +1,9 @@
-import { union } from "../../kernel/clip.ts";
-import { holderOutlines } from "../../kernel/holder.ts";
-import { insertOutline } from "../../kernel/insert.ts";
-import { at, type Ring } from "../../kernel/point.ts";
+import { union } from "../../kernel/area/clip.ts";
+import { holderOutlines } from "../../kernel/cutter/holder.ts";
+import { insertOutline } from "../../kernel/cutter/insert.ts";
+import { at, type Ring } from "../../kernel/geometry/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
-import type { Tool } from "../../kernel/tool.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
 import { boundsOf } from "../bounds.ts";
 import type { Bounds, Place } from "../camera.ts";
 import { outOfBlade } from "../cutting-tool/drawing.ts";

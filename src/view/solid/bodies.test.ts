@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { areaOf } from "../../kernel/area.ts";
-import { at, type Ring } from "../../kernel/point.ts";
+import { areaOf } from "../../kernel/area/area.ts";
+import { at, type Ring } from "../../kernel/geometry/point.ts";
 import { simulate } from "../../sim/simulate.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { colouredBodies } from "./bodies.ts";

@@ -1,6 +1,6 @@
-import { areaOf } from "../../kernel/area.ts";
-import { difference, intersection, offset, simplified, union, unpacked } from "../../kernel/clip.ts";
-import type { Ring } from "../../kernel/point.ts";
+import { areaOf } from "../../kernel/area/area.ts";
+import { difference, intersection, offset, simplified, union, unpacked } from "../../kernel/area/clip.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import { SLIVER } from "../../kernel/tolerance.ts";
 import { lessPlainCuts, machiningArea } from "../../sim/finished.ts";
 import { madeOf } from "../../sim/made.ts";

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { at } from "../../kernel/point.ts";
+import { at } from "../../kernel/geometry/point.ts";
 import { chipInSpace } from "./chip.ts";
 
 test("a chip is filled with its area, and its edge runs from place to place of it", () => {

@@ -1,4 +1,4 @@
-import type { Cuboid } from "../../kernel/box.ts";
+import type { Cuboid } from "../../kernel/area/box.ts";
 import { MeshBuilder, type Mesh } from "./mesh.ts";
 
 /** The faces of a block by their corners, counter-clockwise seen from outside: bits of a corner are right, high, top. */

@@ -1,6 +1,6 @@
-import { simplified } from "../../kernel/clip.ts";
-import { boxAround, type Cuboid } from "../../kernel/box.ts";
-import type { Ring } from "../../kernel/point.ts";
+import { simplified } from "../../kernel/area/clip.ts";
+import { boxAround, type Cuboid } from "../../kernel/area/box.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import { cuboidMesh } from "./cuboid.ts";
 import { volumeOf, type Mesh } from "./mesh.ts";

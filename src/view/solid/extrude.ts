@@ -1,5 +1,5 @@
-import { areaOfRing } from "../../kernel/area.ts";
-import type { Ring } from "../../kernel/point.ts";
+import { areaOfRing } from "../../kernel/area/area.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import { trianglesOf } from "./fill.ts";
 import { MeshBuilder, type Mesh } from "./mesh.ts";
 

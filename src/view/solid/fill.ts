@@ -1,5 +1,5 @@
-import { areaOfRing } from "../../kernel/area.ts";
-import { at, type Pt, type Ring } from "../../kernel/point.ts";
+import { areaOfRing } from "../../kernel/area/area.ts";
+import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 
 /*
  * Triangles that fill an area. Holes are joined to the outline round them by a cut, then corners whose triangle holds no other corner

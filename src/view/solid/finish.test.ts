@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
-import { at, type Ring } from "../../kernel/point.ts";
-import type { Move } from "../../kernel/move.ts";
+import { at, type Ring } from "../../kernel/geometry/point.ts";
+import type { Move } from "../../kernel/plan/move.ts";
 import { feed } from "../../kernel/units.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { playerOf } from "../../sim/stock.ts";
 import { surfacesOf } from "../material/surfaces.ts";

@@ -1,4 +1,4 @@
-import { part, type Pt, type Ring } from "../../kernel/point.ts";
+import { part, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { FEED_ALONG } from "../material/lines.ts";

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { clampingBodies, jawWidth, type Clamping } from "../../kernel/clamping.ts";
-import { at } from "../../kernel/point.ts";
+import { clampingBodies, jawWidth, type Clamping } from "../../kernel/area/clamping.ts";
+import { at } from "../../kernel/geometry/point.ts";
 import { chuckParts, JAWS } from "./furniture.ts";
 import { jawOf } from "./jaw.ts";
 import { volumeOf } from "./mesh.ts";

@@ -1,6 +1,6 @@
-import { boxOf } from "../../kernel/box.ts";
-import { intersection } from "../../kernel/clip.ts";
-import { at, type Pt, type Ring } from "../../kernel/point.ts";
+import { boxOf } from "../../kernel/area/box.ts";
+import { intersection } from "../../kernel/area/clip.ts";
+import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { trianglesOf } from "./fill.ts";
 import { MeshBuilder, type Mesh } from "./mesh.ts";
 

@@ -1,12 +1,12 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { parse } from "../../nc/parse.ts";
-import { run } from "../../program/run.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { run } from "../../program/run/run.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { playerOf } from "../../sim/stock.ts";
-import { areaOf } from "../../kernel/area.ts";
+import { areaOf } from "../../kernel/area/area.ts";
 import { colouredBodies, statedSteps } from "./bodies.ts";
 import { bodiesAt } from "./moment.ts";
 import { runThreads } from "./thread-cuts.ts";

@@ -1,6 +1,6 @@
-import { boxAround, gapBetween } from "../../kernel/box.ts";
-import { difference, intersection, offset, union } from "../../kernel/clip.ts";
-import type { Ring } from "../../kernel/point.ts";
+import { boxAround, gapBetween } from "../../kernel/area/box.ts";
+import { difference, intersection, offset, union } from "../../kernel/area/clip.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import type { PlayPosition, Simulation } from "../../sim/simulation.ts";
 import { colouredBodies, type ColouredBodies } from "./bodies.ts";
 import { revolved, type Solid } from "./revolve.ts";

@@ -1,9 +1,9 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { at } from "../../kernel/point.ts";
-import type { Step } from "../../kernel/step.ts";
+import { at } from "../../kernel/geometry/point.ts";
+import type { Step } from "../../kernel/time/step.ts";
 import { feed } from "../../kernel/units.ts";
-import { shippedTools } from "../../program/shipped-tools.ts";
+import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { pathInSpace, piecesFrom, segmentsInSpace, thinned } from "./path-lines.ts";
 
 const tool = shippedTools[2] ?? expect.fail("there are tools");

@@ -1,6 +1,6 @@
-import { part, type Segment } from "../../kernel/point.ts";
-import type { Step } from "../../kernel/step.ts";
-import { pathOf } from "../../kernel/time.ts";
+import { part, type Segment } from "../../kernel/geometry/point.ts";
+import type { Step } from "../../kernel/time/step.ts";
+import { pathOf } from "../../kernel/time/time.ts";
 import { PATH_ROLES, pathRole, type PathRole } from "../scene.ts";
 
 /** How far a chord may leave its arc, mm. */

@@ -1,4 +1,4 @@
-import { at, type Pt, type Ring } from "../../kernel/point.ts";
+import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { StockLooks, SideLook } from "./finish.ts";
 

@@ -1,4 +1,4 @@
-import { at, type Pt, type Ring } from "../../kernel/point.ts";
+import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { trianglesOf } from "./fill.ts";
 import { lookAt, partedBy, type StockLooks } from "./finish.ts";
 import { joinedMeshes, MeshBuilder, NO_MESH, type Mesh } from "./mesh.ts";

@@ -1,4 +1,4 @@
-import type { Ring } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import type { PlayPosition, Simulation } from "../../sim/simulation.ts";
 import type { Surfaces, Texture } from "../material/surfaces.ts";
 import { finishOf } from "./finish.ts";

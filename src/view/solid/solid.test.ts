@@ -1,8 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { areaOf, areaOfRing } from "../../kernel/area.ts";
-import { difference, intersection, union } from "../../kernel/clip.ts";
-import { at, type Ring } from "../../kernel/point.ts";
+import { areaOf, areaOfRing } from "../../kernel/area/area.ts";
+import { difference, intersection, union } from "../../kernel/area/clip.ts";
+import { at, type Ring } from "../../kernel/geometry/point.ts";
 import { extruded } from "./extrude.ts";
 import { trianglesOf } from "./fill.ts";
 import { joinedMeshes, volumeOf, type Mesh } from "./mesh.ts";

@@ -1,10 +1,10 @@
-import { boxAround, boxOf } from "../../kernel/box.ts";
-import { difference, intersection, offset, union } from "../../kernel/clip.ts";
-import { insertOutline } from "../../kernel/insert.ts";
-import { part, type Pt, type Ring } from "../../kernel/point.ts";
-import type { Step } from "../../kernel/step.ts";
-import { handOf, turnsIn, type ThreadHand, type ThreadMove } from "../../kernel/thread-turns.ts";
-import { pathOf } from "../../kernel/time.ts";
+import { boxAround, boxOf } from "../../kernel/area/box.ts";
+import { difference, intersection, offset, union } from "../../kernel/area/clip.ts";
+import { insertOutline } from "../../kernel/cutter/insert.ts";
+import { part, type Pt, type Ring } from "../../kernel/geometry/point.ts";
+import type { Step } from "../../kernel/time/step.ts";
+import { handOf, turnsIn, type ThreadHand, type ThreadMove } from "../../kernel/time/thread-turns.ts";
+import { pathOf } from "../../kernel/time/time.ts";
 import { CHORD } from "../../kernel/tolerance.ts";
 import { turnsBack, type SpindleFrom } from "../../sim/load/spindles.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";

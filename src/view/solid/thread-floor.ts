@@ -1,6 +1,6 @@
-import type { Ring } from "../../kernel/point.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
 import { NOTHING, ROUND, SAME } from "../../kernel/tolerance.ts";
-import type { ThreadHand } from "../../kernel/thread-turns.ts";
+import type { ThreadHand } from "../../kernel/time/thread-turns.ts";
 import type { ThreadCut } from "./thread-cuts.ts";
 
 /*

@@ -1,8 +1,8 @@
-import { areaOf } from "../../kernel/area.ts";
-import { boxAround } from "../../kernel/box.ts";
-import { difference, intersection, isInside, offset, union } from "../../kernel/clip.ts";
-import { at, type Pt, type Ring } from "../../kernel/point.ts";
-import type { ThreadHand } from "../../kernel/thread-turns.ts";
+import { areaOf } from "../../kernel/area/area.ts";
+import { boxAround } from "../../kernel/area/box.ts";
+import { difference, intersection, isInside, offset, union } from "../../kernel/area/clip.ts";
+import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
+import type { ThreadHand } from "../../kernel/time/thread-turns.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { lookAt, type StockLooks } from "./finish.ts";
 import { joinedMeshes, NO_MESH } from "./mesh.ts";

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { at } from "../../kernel/point.ts";
+import { at } from "../../kernel/geometry/point.ts";
 import type { FormedBy, RoughStretch } from "../../sim/load/roughness.ts";
 import { tonedSides } from "./tones.ts";
 

@@ -1,4 +1,4 @@
-import { part, type Pt } from "../../kernel/point.ts";
+import { part, type Pt } from "../../kernel/geometry/point.ts";
 import type { RoughStretch } from "../../sim/load/roughness.ts";
 import { classAt, classTone, type Scale } from "../load/scale.ts";
 import type { StockSide } from "../material/surfaces.ts";

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { ISO_GROUPS, readCuttingTable, writeCuttingTable } from "../../../program/cutting-table.ts";
+import { ISO_GROUPS, readCuttingTable, writeCuttingTable } from "../../../program/tools/cutting-table.ts";
 import { readSettings } from "./settings.ts";
 
 test("settings survive, and what does not fit keeps its first value", () => {

@@ -1,7 +1,7 @@
 import { create } from "zustand";
 import { isLanguage, type Language } from "../../../i18n/languages.ts";
-import { isNcOutput, NC_OUTPUTS, type NcOutput } from "../../../program/nc-output.ts";
-import type { Control } from "../../../program/plane-types.ts";
+import { isNcOutput, NC_OUTPUTS, type NcOutput } from "../../../program/machine/nc-output.ts";
+import type { Control } from "../../../program/tools/plane-types.ts";
 import { fetchFirstTexts, fetchTexts, lacksTexts } from "./loaded-texts.ts";
 
 /** Choices of this device, beside the work itself. Kept in the browser's local storage. */

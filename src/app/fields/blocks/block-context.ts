@@ -1,7 +1,7 @@
 import type { Program } from "../../../nc/program.ts";
 import type { Statement } from "../../../nc/statement.ts";
-import type { KnownParameters } from "../../../program/expression.ts";
-import { formulaOf, type Parameters } from "../../../program/formula.ts";
+import type { KnownParameters } from "../../../program/values/expression.ts";
+import { formulaOf, type Parameters } from "../../../program/values/formula.ts";
 
 /** Q parameters as they are set in front of a block, read from top to bottom without following calls. */
 export function parametersBefore(program: Program, index: number): KnownParameters {

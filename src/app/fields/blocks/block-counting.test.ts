@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
 import { parse } from "../../../nc/parse.ts";
 import { print } from "../../../nc/program.ts";
-import { run } from "../../../program/run.ts";
-import { shippedTools } from "../../../program/shipped-tools.ts";
+import { run } from "../../../program/run/run.ts";
+import { shippedTools } from "../../../program/tools/shipped-tools.ts";
 import { counted } from "../../../view/measure/distance.ts";
 import { countingOf } from "./block-counting.ts";
 import { withPrompt } from "./block-prompts.ts";

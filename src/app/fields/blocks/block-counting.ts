@@ -1,7 +1,7 @@
 import { useMemo } from "react";
 import { INCH } from "../../../kernel/units.ts";
 import { startLines, type Program } from "../../../nc/program.ts";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { datumAt, datumIndex } from "../../../view/datum.ts";
 import type { Counting } from "../../../view/measure/distance.ts";
 import { useShownBeside } from "../../document/shown-file.ts";

@@ -1,14 +1,14 @@
 import { isKept, keptLabels } from "../../../cycles/kept-cycles.ts";
-import { GROOVE_WORDS } from "../../../kernel/groove.ts";
-import { UNDERCUT_FORMS, UNDERCUT_WORDS } from "../../../kernel/undercut.ts";
+import { GROOVE_WORDS } from "../../../kernel/contour/groove.ts";
+import { UNDERCUT_FORMS, UNDERCUT_WORDS } from "../../../kernel/contour/undercut.ts";
 import { parse } from "../../../nc/parse.ts";
 import { statementLines } from "../../../nc/print.ts";
 import { APPROACH_FORMS, type AxisName, type FileName, type OutlineSource, type PathKind, type Statement } from "../../../nc/statement.ts";
 import { LAYOUTS } from "../../../nc/style.ts";
 import { NUMBER_PARAMETER, parameterOf } from "../../../nc/value.ts";
-import { feedWord } from "../../../program/field.ts";
-import { formOf, formWord } from "../../../program/recess-words.ts";
-import { blockValue, feedAsTyped, parameterAsTyped, typedFeed, valueAsTyped } from "../../../program/typed-value.ts";
+import { feedWord } from "../../../program/values/field.ts";
+import { formOf, formWord } from "../../../program/blocks/recess-words.ts";
+import { blockValue, feedAsTyped, parameterAsTyped, typedFeed, valueAsTyped } from "../../../program/values/typed-value.ts";
 import { fieldOf, optionalValue, labelAsTyped, singleLine, shownLabel, type WordField } from "./field.ts";
 import { axisFields, compensationField, feedField, freeFields, functionsField, listedAxis, namedFields, polarWord, retractField, turnField,
   valueWord } from "./word-fields.ts";

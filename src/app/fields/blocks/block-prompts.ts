@@ -1,22 +1,22 @@
 import { neutralOf, saysNothing, type SomeValues } from "../../../cycles/effect.ts";
 import { cycleByNumber } from "../../../cycles/index.ts";
-import type { Issue } from "../../../kernel/issue.ts";
+import type { Issue } from "../../../kernel/plan/issue.ts";
 import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
 import { withBlock } from "../../../nc/edit.ts";
 import type { Param } from "../../../cycles/params.ts";
 import type { CycleParameter, Statement } from "../../../nc/statement.ts";
-import { contourBefore } from "../../../program/contour-of-text.ts";
-import { decimalsInInches, valueInProgram } from "../../../program/cycle-values.ts";
-import { OWN_DECIMALS, ownField } from "../../../program/own-cycle.ts";
+import { contourBefore } from "../../../program/job/contour-of-text.ts";
+import { decimalsInInches, valueInProgram } from "../../../program/blocks/cycle-values.ts";
+import { OWN_DECIMALS, ownField } from "../../../program/edits/own-cycle.ts";
 import { ownCycle } from "../../document/own-reading.ts";
-import { feedWord } from "../../../program/field.ts";
-import { exampleJob, type SetJob } from "../../../program/job.ts";
-import { readDraft, type Draft } from "../../../program/read-draft.ts";
-import type { RunFinding } from "../../../program/run-types.ts";
+import { feedWord } from "../../../program/values/field.ts";
+import { exampleJob, type SetJob } from "../../../program/job/job.ts";
+import { readDraft, type Draft } from "../../../program/job/read-draft.ts";
+import type { RunFinding } from "../../../program/state/run-types.ts";
 import { entryAt, type FindingEntry } from "../../findings/entry.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { parametersBefore, perRevolutionBefore } from "./block-context.ts";
-import { blockValue, parameterAsTyped } from "../../../program/typed-value.ts";
+import { blockValue, parameterAsTyped } from "../../../program/values/typed-value.ts";
 
 type CycleStatement = Extract<Statement, { kind: "cycle" }>;
 

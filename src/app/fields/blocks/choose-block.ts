@@ -1,5 +1,5 @@
-import { blockSpan } from "../../../program/block-span.ts";
-import type { PathChoice } from "../../../program/path-index.ts";
+import { blockSpan } from "../../../program/run/block-span.ts";
+import type { PathChoice } from "../../../program/run/path-index.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { shownBeside } from "../../document/shown-file.ts";
 import { trackOf } from "../../../view/playback.ts";

@@ -9,7 +9,7 @@ import { ncLabels } from "../../../i18n/nc-labels.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import { blockAt } from "../../../nc/reread.ts";
 import { NUMBER_PARAMETER } from "../../../nc/value.ts";
-import { OWN_DECIMALS, type OwnParameter } from "../../../program/own-cycle.ts";
+import { OWN_DECIMALS, type OwnParameter } from "../../../program/edits/own-cycle.ts";
 import { ownCycle } from "../../document/own-reading.ts";
 import { unitOf } from "../dialog/write-value.ts";
 import { readingField } from "./reading-field.ts";

@@ -1,6 +1,6 @@
 import type { EditorTexts } from "../../../i18n/en/editor.ts";
 import type { Label, Parameter, Statement, Value } from "../../../nc/statement.ts";
-import { blockValue } from "../../../program/typed-value.ts";
+import { blockValue } from "../../../program/values/typed-value.ts";
 
 type PlainName = { [K in keyof EditorTexts["fields"]]: EditorTexts["fields"][K] extends string ? K : never }[keyof EditorTexts["fields"]];
 /** What a field is called: one of the texts, or a word of the program itself. */

@@ -1,5 +1,5 @@
 import type { Program } from "../../../nc/program.ts";
-import type { Draft } from "../../../program/read-draft.ts";
+import type { Draft } from "../../../program/job/read-draft.ts";
 import { holdPicture } from "../../calculation/outcome.ts";
 import { readingOfBlock } from "./block-prompts.ts";
 import { cursorBlock, readingField } from "./reading-field.ts";

@@ -4,10 +4,10 @@ import type { Language } from "../../../i18n/languages.ts";
 import type { Program } from "../../../nc/program.ts";
 import { withBlocks } from "../../../nc/replace.ts";
 import type { Label, Statement } from "../../../nc/statement.ts";
-import { contourStatements } from "../../../program/print-contour.ts";
-import { blocksOfStatements } from "../../../program/operation-edits.ts";
-import { proposedOperation } from "../../../program/proposed-operation.ts";
-import { ringOf } from "../../../program/wanted-job.ts";
+import { contourStatements } from "../../../program/job/print-contour.ts";
+import { blocksOfStatements } from "../../../program/edits/operation-edits.ts";
+import { proposedOperation } from "../../../program/job/proposed-operation.ts";
+import { ringOf } from "../../../program/job/wanted-job.ts";
 
 /** The cylinder that a program states in numbers; none where it states something else. */
 function cylinderOf({ blocks }: Program) {

@@ -1,7 +1,7 @@
 import { useMemo } from "react";
-import type { Issue } from "../../../kernel/issue.ts";
+import type { Issue } from "../../../kernel/plan/issue.ts";
 import type { Reading } from "../../../nc/reread.ts";
-import type { Draft } from "../../../program/read-draft.ts";
+import type { Draft } from "../../../program/job/read-draft.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import type { FindingEntry } from "../../findings/entry.ts";
 import type { JobReading } from "../../document/reading.ts";

@@ -1,7 +1,7 @@
 import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
-import type { Severity } from "../../../kernel/issue.ts";
-import type { Tool } from "../../../kernel/tool.ts";
-import { isOff, operationsOf, wholeOf, type Tie } from "../../../program/operations.ts";
+import type { Severity } from "../../../kernel/plan/issue.ts";
+import type { Tool } from "../../../kernel/plan/tool.ts";
+import { isOff, operationsOf, wholeOf, type Tie } from "../../../program/edits/operations.ts";
 import type { Outcome } from "../../calculation/outcome.ts";
 import { doneByLine, firstLine, type Done } from "./program-parts.ts";
 import type { FindingEntry } from "../../findings/entry.ts";

@@ -1,10 +1,10 @@
-import type { Issue } from "../../../kernel/issue.ts";
+import type { Issue } from "../../../kernel/plan/issue.ts";
 import type { Program } from "../../../nc/program.ts";
 import type { StatementOf } from "../../../nc/statement.ts";
-import { readText, type FieldReading } from "../../../program/field.ts";
-import { OWN_DECIMALS, ownField, type OwnCycle, type OwnParameter } from "../../../program/own-cycle.ts";
-import type { Draft } from "../../../program/read-draft.ts";
-import { parameterAsTyped } from "../../../program/typed-value.ts";
+import { readText, type FieldReading } from "../../../program/values/field.ts";
+import { OWN_DECIMALS, ownField, type OwnCycle, type OwnParameter } from "../../../program/edits/own-cycle.ts";
+import type { Draft } from "../../../program/job/read-draft.ts";
+import { parameterAsTyped } from "../../../program/values/typed-value.ts";
 import { parametersBefore, perRevolutionBefore } from "./block-context.ts";
 
 /** A parameter of a block: described, or only there in its text. */

@@ -1,6 +1,6 @@
 import type { StatementOf } from "../../../nc/statement.ts";
-import { describedFrom, newParameter, OWN_SIZES, type OwnEntry, type OwnParameterEntry } from "../../../program/own-cycle.ts";
-import { freeCycle, freeId, mergedLibrary, type OwnList } from "../../../program/own-library.ts";
+import { describedFrom, newParameter, OWN_SIZES, type OwnEntry, type OwnParameterEntry } from "../../../program/edits/own-cycle.ts";
+import { freeCycle, freeId, mergedLibrary, type OwnList } from "../../../program/edits/own-library.ts";
 import { libraryOf } from "../../document/own-reading.ts";
 import { editOwn, useOwn } from "../../document/own-store.ts";
 

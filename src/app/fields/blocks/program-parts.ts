@@ -1,6 +1,6 @@
 import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
 import type { Statement } from "../../../nc/statement.ts";
-import { actsAtOnce } from "../../../program/unproved-blocks.ts";
+import { actsAtOnce } from "../../../program/blocks/unproved-blocks.ts";
 import type { Outcome } from "../../calculation/outcome.ts";
 import { kindOf, type BlockKind } from "./block-kind.ts";
 import { isDefinedIn } from "../../document/shown-findings.ts";

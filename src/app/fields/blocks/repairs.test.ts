@@ -8,8 +8,8 @@ import { issueText } from "../../calculation/issue-text.ts";
 import { lengthsOf } from "../../calculation/lengths.ts";
 import { parse } from "../../../nc/parse.ts";
 import { print } from "../../../nc/program.ts";
-import { NC_OUTPUTS } from "../../../program/nc-output.ts";
-import { shippedTools } from "../../../program/shipped-tools.ts";
+import { NC_OUTPUTS } from "../../../program/machine/nc-output.ts";
+import { shippedTools } from "../../../program/tools/shipped-tools.ts";
 import { repairsOf, withTool } from "./repairs.ts";
 
 const outcomeOf = (text: string): Outcome =>

@@ -3,7 +3,7 @@ import { EditorState, type StateCommand, type TransactionSpec } from "@codemirro
 import { EditorView } from "@codemirror/view";
 import { readingOf, type Reading } from "../../../nc/reread.ts";
 import type { Program } from "../../../nc/program.ts";
-import { fileKey } from "../../../program/program-files.ts";
+import { fileKey } from "../../../program/state/program-files.ts";
 import { plansOnPage } from "../../calculation/page-plan.ts";
 import { typingGoesOn } from "../../calculation/quiet.ts";
 import { takeKeptSteps, textKeepers } from "../../records/keep-steps.ts";

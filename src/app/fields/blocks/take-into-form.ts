@@ -1,9 +1,9 @@
 import { withBlock } from "../../../nc/edit.ts";
 import { startLines } from "../../../nc/program.ts";
-import { approachContext } from "../../../program/approach-context.ts";
-import { approachDraft, approachStatement } from "../../../program/approach-draft.ts";
-import type { ApproachWord } from "../../../program/approach-fields.ts";
-import { positionAsTyped } from "../../../program/typed-value.ts";
+import { approachContext } from "../../../program/edits/approach-context.ts";
+import { approachDraft, approachStatement } from "../../../program/edits/approach-draft.ts";
+import type { ApproachWord } from "../../../program/motion/approach-fields.ts";
+import { positionAsTyped } from "../../../program/values/typed-value.ts";
 import { parametersBefore } from "./block-context.ts";
 import { editUnshown } from "./session.ts";
 

@@ -2,7 +2,7 @@ import { cycleByNumber } from "../../../cycles/index.ts";
 import type { Program } from "../../../nc/program.ts";
 import type { FindingEntry } from "../../findings/entry.ts";
 import { nearestOf } from "../../findings/host.ts";
-import { valueInProgram } from "../../../program/cycle-values.ts";
+import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
 import { countsInches, withPrompt } from "./block-prompts.ts";
 import type { Repair } from "./repair.ts";
 

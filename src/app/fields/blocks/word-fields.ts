@@ -1,7 +1,7 @@
-import { ANGLE_WORDS } from "../../../kernel/undercut.ts";
+import { ANGLE_WORDS } from "../../../kernel/contour/undercut.ts";
 import type { AxisName, AxisWord, NamedWord, PolarWord, Statement, Value, Words } from "../../../nc/statement.ts";
-import { typedFunctions } from "../../../program/approach-draft.ts";
-import { blockValue, feedAsTyped, noWords, typedFeed, valueAsTyped } from "../../../program/typed-value.ts";
+import { typedFunctions } from "../../../program/edits/approach-draft.ts";
+import { blockValue, feedAsTyped, noWords, typedFeed, valueAsTyped } from "../../../program/values/typed-value.ts";
 import { optionalValue, type WordField, type FieldName } from "./field.ts";
 
 type WithWords = Extract<Statement, { words: Words }>;

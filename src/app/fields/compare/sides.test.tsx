@@ -1,7 +1,7 @@
 import { afterEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../../cycles/index.ts";
-import { exampleJob, UNSET } from "../../../program/job.ts";
-import { shippedList } from "../../../program/tool-list.ts";
+import { exampleJob, UNSET } from "../../../program/job/job.ts";
+import { shippedList } from "../../../program/tools/tool-list.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
 import { begin, edit, setHandedOn } from "../../document/store.ts";
 import { takeTools } from "../../document/tool-store.ts";

@@ -4,7 +4,7 @@ import { shownFile } from "../../document/shown-file.ts";
 import { printedText, programName } from "../../document/printed.ts";
 import { asOpened, handedOn, handOver, useEditor, withHandedOn } from "../../document/store.ts";
 import { shopOf } from "../../document/work-tools.ts";
-import { fileKey } from "../../../program/program-files.ts";
+import { fileKey } from "../../../program/state/program-files.ts";
 import { broughtBy, filesOf, isProgram, withText, type ProgramWork, type Work } from "../../document/work.ts";
 
 /** A work as a program, with what it brings along: that of a cycle as it is printed. */

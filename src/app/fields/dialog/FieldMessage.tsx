@@ -1,6 +1,6 @@
 import { useContext } from "react";
 import { cycleByNumber } from "../../../cycles/index.ts";
-import { valueInProgram } from "../../../program/cycle-values.ts";
+import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { goToField } from "../../place/place.ts";
 import type { FindingEntry } from "../../findings/entry.ts";

@@ -1,6 +1,6 @@
 import { useMemo } from "react";
 import type { CycleNumber } from "../../../cycles/index.ts";
-import { exampleJob } from "../../../program/job.ts";
+import { exampleJob } from "../../../program/job/job.ts";
 import { givenOf } from "../../calculation/given.ts";
 import { HelpPicture } from "../../pictures/help/HelpPicture.tsx";
 import type { Numbers } from "../../../view/help/lettering.ts";

@@ -1,7 +1,7 @@
 import { useMemo } from "react";
 import { threadProfile } from "../../../view/thread-profile.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
-import type { Operation } from "../../../program/run-types.ts";
+import type { Operation } from "../../../program/state/run-types.ts";
 import { useShownBeside } from "../../document/shown-file.ts";
 import { isDefinedIn } from "../../document/shown-findings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";

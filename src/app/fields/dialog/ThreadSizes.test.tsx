@@ -2,7 +2,7 @@ import { cleanup, render, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { catalogue } from "../../../cycles/index.ts";
-import { exampleJob } from "../../../program/job.ts";
+import { exampleJob } from "../../../program/job/job.ts";
 import { draftOf } from "../../document/edits.ts";
 import { openPrompt } from "../../place/place.ts";
 import { useReading } from "../../document/reading.ts";

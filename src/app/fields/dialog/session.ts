@@ -1,6 +1,6 @@
 import type { ReactNode } from "react";
-import type { FieldReading } from "../../../program/field.ts";
-import { valueAsTyped } from "../../../program/typed-value.ts";
+import type { FieldReading } from "../../../program/values/field.ts";
+import { valueAsTyped } from "../../../program/values/typed-value.ts";
 import type { FindingEntry } from "../../findings/entry.ts";
 import { closeStep } from "../../document/steps.ts";
 

@@ -1,10 +1,10 @@
-import { readText, type Field, type FieldReading, nothing } from "../../../program/field.ts";
-import { knownParameters } from "../../../program/job-parameters.ts";
-import { SETUP_FIELDS } from "../../../program/setup-fields.ts";
-import type { SetupPlace } from "../../../program/setup.ts";
+import { readText, type Field, type FieldReading, nothing } from "../../../program/values/field.ts";
+import { knownParameters } from "../../../program/job/job-parameters.ts";
+import { SETUP_FIELDS } from "../../../program/job/setup-fields.ts";
+import type { SetupPlace } from "../../../program/job/setup.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import type { Texts } from "../../../i18n/index.ts";
-import type { Tool } from "../../../kernel/tool.ts";
+import type { Tool } from "../../../kernel/plan/tool.ts";
 import { setBlank, setStart, setTool } from "../../document/edits.ts";
 import { goToField } from "../../place/place.ts";
 import type { JobReading } from "../../document/reading.ts";

@@ -1,8 +1,8 @@
 import type { Kind, Param } from "../../../cycles/params.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { decimalSign, formatFixed, formatNumber, formatPosition } from "../../../i18n/number.ts";
-import type { FieldReading } from "../../../program/field.ts";
-import { valueAsTyped } from "../../../program/typed-value.ts";
+import type { FieldReading } from "../../../program/values/field.ts";
+import { valueAsTyped } from "../../../program/values/typed-value.ts";
 
 /** Decimals shown of each value in the list of prompts. */
 const SHOWN = 3;

@@ -1,4 +1,4 @@
-import type { Job } from "../../../program/job.ts";
+import type { Job } from "../../../program/job/job.ts";
 import { leavingText, printedText } from "../../document/printed.ts";
 import { copyText } from "../../findings/copy.ts";
 import { mayLeave } from "./leaving.ts";

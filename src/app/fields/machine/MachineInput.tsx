@@ -1,5 +1,5 @@
 import { useId, useRef } from "react";
-import { sumOf } from "../../../program/field.ts";
+import { sumOf } from "../../../program/values/field.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { Icon } from "../../base/Icon.tsx";

@@ -1,9 +1,9 @@
 import { useId, useRef, useState } from "react";
 import type { MachineTexts } from "../../../i18n/en/machine.ts";
 import { formatNumber } from "../../../i18n/number.ts";
-import type { MachineData } from "../../../program/machine-data.ts";
-import { EXAMPLE_MACHINE_NAMES, EXAMPLE_MACHINES } from "../../../program/example-machines.ts";
-import { machineOf, readMachine, writeMachine, type MachineProblem } from "../../../program/machine-file.ts";
+import type { MachineData } from "../../../program/machine/machine-data.ts";
+import { EXAMPLE_MACHINE_NAMES, EXAMPLE_MACHINES } from "../../../program/machine/example-machines.ts";
+import { machineOf, readMachine, writeMachine, type MachineProblem } from "../../../program/machine/machine-file.ts";
 import { downloadText } from "../../base/download.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { changeSettings, useSettings } from "../../base/settings/settings.ts";

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { EXAMPLE_MACHINE_NAMES, EXAMPLE_MACHINES } from "../../../program/example-machines.ts";
+import { EXAMPLE_MACHINE_NAMES, EXAMPLE_MACHINES } from "../../../program/machine/example-machines.ts";
 import { draftOfMachine, problemAt, readMachineDraft, type MachineDraft } from "./draft.ts";
 
 test.each(EXAMPLE_MACHINE_NAMES)("the form of %s is read as the machine that it was made of",

@@ -1,6 +1,6 @@
-import { anyNumber, readText } from "../../../program/field.ts";
-import type { MachineData } from "../../../program/machine-data.ts";
-import { MACHINE_FORMAT, readMachine, type MachineProblem, type ReadMachine } from "../../../program/machine-file.ts";
+import { anyNumber, readText } from "../../../program/values/field.ts";
+import type { MachineData } from "../../../program/machine/machine-data.ts";
+import { MACHINE_FORMAT, readMachine, type MachineProblem, type ReadMachine } from "../../../program/machine/machine-file.ts";
 
 /** The numbers of the form beside the torque curve, each with the place of its value in the file. */
 export const MACHINE_FIELDS = {

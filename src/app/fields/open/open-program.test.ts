@@ -1,7 +1,7 @@
 // @vitest-environment jsdom
 import { useNotices } from "../../base/notices.ts";
 import { beforeEach, expect, test } from "vitest";
-import { shippedTools } from "../../../program/shipped-tools.ts";
+import { shippedTools } from "../../../program/tools/shipped-tools.ts";
 import { engine } from "../../calculation/engine.ts";
 import { forgetOutcome, takeOutcome } from "../../calculation/outcome.ts";
 import { undo, redo } from "../../document/steps.ts";

@@ -1,7 +1,7 @@
 import { decode } from "../../document/encoding.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
-import type { HandedOn } from "../../../program/job.ts";
-import { fileKey } from "../../../program/program-files.ts";
+import type { HandedOn } from "../../../program/job/job.ts";
+import { fileKey } from "../../../program/state/program-files.ts";
 import { untilHere } from "../../base/parts.ts";
 import { taughtFilesSlot } from "../slots.ts";
 import { notice } from "../../base/notices.ts";
@@ -77,7 +77,7 @@ async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent,
     openRead(first, found);
     return true;
   }
-  const [{ mainOf }, { parse }] = await Promise.all([import("../../../program/main-program.ts"), import("../../../nc/parse.ts")]);
+  const [{ mainOf }, { parse }] = await Promise.all([import("../../../program/run/main-program.ts"), import("../../../nc/parse.ts")]);
   const { index, sure, free } = mainOf(files, parse);
   const main = files[index] ?? first;
   const whole: ProgramWork = { ...main, files: files.filter((file) => file !== main) };

@@ -1,5 +1,5 @@
 import type { StatementOf } from "../../../nc/statement.ts";
-import { isKnownCycle } from "../../../program/own-cycle.ts";
+import { isKnownCycle } from "../../../program/edits/own-cycle.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { useTableTexts } from "../../base/settings/use-table-texts.ts";
 import { describeBlock, isFull } from "../blocks/own-edits.ts";

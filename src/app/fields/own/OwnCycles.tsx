@@ -2,7 +2,7 @@ import { Suspense, useId, useState, type ReactNode } from "react";
 import type { More } from "../chooser/CycleChooser.tsx";
 import { Drawing } from "../chooser/Drawing.tsx";
 import { plain } from "../chooser/search.ts";
-import type { OwnCycle } from "../../../program/own-cycle.ts";
+import type { OwnCycle } from "../../../program/edits/own-cycle.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { useTableTexts } from "../../base/settings/use-table-texts.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";

@@ -5,7 +5,7 @@ import { afterEach, beforeEach, expect, test } from "vitest";
 import { texts } from "../../../i18n/index.ts";
 import { parse } from "../../../nc/parse.ts";
 import { print } from "../../../nc/program.ts";
-import { newParameter } from "../../../program/own-cycle.ts";
+import { newParameter } from "../../../program/edits/own-cycle.ts";
 import { withPrompt } from "../blocks/block-prompts.ts";
 import { entryAt } from "../../findings/entry.ts";
 import { openPrompt } from "../../place/place.ts";

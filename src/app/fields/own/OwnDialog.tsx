@@ -1,6 +1,6 @@
 import { formatNumber, formatSigned } from "../../../i18n/number.ts";
-import { OWN_DECIMALS } from "../../../program/own-cycle.ts";
-import { valueAsTyped } from "../../../program/typed-value.ts";
+import { OWN_DECIMALS } from "../../../program/edits/own-cycle.ts";
+import { valueAsTyped } from "../../../program/values/typed-value.ts";
 import { DialogDone } from "../dialog/DialogDone.tsx";
 import { PromptDialog } from "../dialog/PromptDialog.tsx";
 import type { Prompt, PromptSession } from "../dialog/session.ts";

@@ -1,7 +1,7 @@
 import { useId, useState } from "react";
 import type { OutputTexts } from "../../../i18n/en/output.ts";
 import { loadOutput } from "../../../i18n/load-output.ts";
-import { isFunctionNumber, NC_OUTPUT_NAMES, NC_OUTPUTS, nameOfOutput, type NcOutput } from "../../../program/nc-output.ts";
+import { isFunctionNumber, NC_OUTPUT_NAMES, NC_OUTPUTS, nameOfOutput, type NcOutput } from "../../../program/machine/nc-output.ts";
 import { HandingDialog } from "../../base/HandingDialog.tsx";
 import { Icon } from "../../base/Icon.tsx";
 import { laterTexts } from "../../base/settings/later-texts.ts";

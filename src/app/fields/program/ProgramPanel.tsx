@@ -1,5 +1,5 @@
 import { LANGUAGE_NAMES, LANGUAGES, isLanguage, ncLanguage } from "../../../i18n/languages.ts";
-import { JOB_LAYOUTS } from "../../../program/nc-output.ts";
+import { JOB_LAYOUTS } from "../../../program/machine/nc-output.ts";
 import { setLayout, setName, setNcLanguage } from "../../document/edits.ts";
 import { openText } from "../open/open-program.ts";
 import { Icon } from "../../base/Icon.tsx";

@@ -1,12 +1,12 @@
 import { useId, useMemo, useState } from "react";
 import type { SecondSideTexts } from "../../../i18n/en/second-side.ts";
 import { loadSecondSide } from "../../../i18n/load-second-side.ts";
-import { boxAround } from "../../../kernel/box.ts";
-import type { Ring } from "../../../kernel/point.ts";
+import { boxAround } from "../../../kernel/area/box.ts";
+import type { Ring } from "../../../kernel/geometry/point.ts";
 import { radius, toDiameter } from "../../../kernel/units.ts";
 import { parse } from "../../../nc/parse.ts";
-import { anyNumber, readText } from "../../../program/field.ts";
-import { secondSide } from "../../../program/second-side.ts";
+import { anyNumber, readText } from "../../../program/values/field.ts";
+import { secondSide } from "../../../program/edits/second-side.ts";
 import { verdictOf } from "../../../report/verdict.ts";
 import { leftPieces } from "../../../sim/clamped.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";

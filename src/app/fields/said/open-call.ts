@@ -1,4 +1,4 @@
-import type { Operation } from "../../../program/run-types.ts";
+import type { Operation } from "../../../program/state/run-types.ts";
 import { shownBeside, useShownBeside } from "../../document/shown-file.ts";
 import { isDefinedIn } from "../../document/shown-findings.ts";
 import { useEditor } from "../../document/store.ts";

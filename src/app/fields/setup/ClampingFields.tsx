@@ -1,4 +1,4 @@
-import { CHUCK_SIZES } from "../../../kernel/clamping.ts";
+import { CHUCK_SIZES } from "../../../kernel/area/clamping.ts";
 import { clampingField, isNeeded } from "../../../program/clamping/draft.ts";
 import { CENTRE_ANGLE, CLAMPING_KINDS, CLAMPING_WORDS, wordsOfKind, type ClampingDraft,
   type ClampingWord } from "../../../program/clamping/words.ts";

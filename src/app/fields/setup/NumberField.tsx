@@ -1,5 +1,5 @@
 import { useEffect, useId, useRef } from "react";
-import { readText, sumOf, type Field } from "../../../program/field.ts";
+import { readText, sumOf, type Field } from "../../../program/values/field.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import { inScreenWriting } from "../dialog/write-value.ts";
 import { useNumberEntry } from "../dialog/use-number-entry.ts";

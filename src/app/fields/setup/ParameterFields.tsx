@@ -1,5 +1,5 @@
-import { usedParameters } from "../../../program/job-parameters.ts";
-import { parameterField } from "../../../program/setup-fields.ts";
+import { usedParameters } from "../../../program/job/job-parameters.ts";
+import { parameterField } from "../../../program/job/setup-fields.ts";
 import { setParameter } from "../../document/edits.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";

@@ -2,7 +2,7 @@ import { cleanup, render, screen, waitFor } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../../cycles/index.ts";
-import { exampleJob } from "../../../program/job.ts";
+import { exampleJob } from "../../../program/job/job.ts";
 import { goToField } from "../../place/place.ts";
 import { useReading } from "../../document/reading.ts";
 import { changeSettings } from "../../base/settings/settings.ts";

@@ -1,8 +1,8 @@
 import { Suspense } from "react";
 import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
 import type { CycleNumber } from "../../../cycles/index.ts";
-import type { SetupPlace } from "../../../program/setup.ts";
-import { SETUP_FIELDS as FIELDS } from "../../../program/setup-fields.ts";
+import type { SetupPlace } from "../../../program/job/setup.ts";
+import { SETUP_FIELDS as FIELDS } from "../../../program/job/setup-fields.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { useFits } from "../../calculation/fits.ts";
 import { setBlank, setPerRevolution, setRapid, setSpindle, setStart } from "../../document/edits.ts";

@@ -1,4 +1,4 @@
-import type { ToolFit } from "../../../program/which-tool.ts";
+import type { ToolFit } from "../../../program/tools/which-tool.ts";
 import { setTool } from "../../document/edits.ts";
 import { FieldMessage } from "../dialog/FieldMessage.tsx";
 import { Icon } from "../../base/Icon.tsx";

@@ -1,6 +1,6 @@
 import { useEffect, useRef } from "react";
 import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
-import type { ToolFit } from "../../../program/which-tool.ts";
+import type { ToolFit } from "../../../program/tools/which-tool.ts";
 import { setTool } from "../../document/edits.ts";
 import { InsertDrawing } from "../../pictures/lathe/InsertDrawing.tsx";
 import { usePlace } from "../../place/place.ts";

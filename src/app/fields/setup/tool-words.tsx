@@ -1,6 +1,6 @@
 import { formatNumber } from "../../../i18n/number.ts";
-import type { Tool } from "../../../kernel/tool.ts";
-import type { ToolFit } from "../../../program/which-tool.ts";
+import type { Tool } from "../../../kernel/plan/tool.ts";
+import type { ToolFit } from "../../../program/tools/which-tool.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";

@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { createPortal } from "react-dom";
 import type { MachineTexts } from "../../../i18n/en/machine.ts";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { HandingDialog } from "../../base/HandingDialog.tsx";
 import { Icon } from "../../base/Icon.tsx";

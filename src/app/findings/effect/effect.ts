@@ -1,7 +1,7 @@
 import { cycleByNumber } from "../../../cycles/index.ts";
-import { readText } from "../../../program/field.ts";
-import { SETUP_FIELDS } from "../../../program/setup-fields.ts";
-import type { Run } from "../../../program/run-types.ts";
+import { readText } from "../../../program/values/field.ts";
+import { SETUP_FIELDS } from "../../../program/job/setup-fields.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import type { Outcome, Planned } from "../../calculation/outcome.ts";
 import type { JobReading } from "../../document/reading.ts";
 

@@ -1,8 +1,8 @@
 import type { MachineTexts } from "../../../i18n/en/machine.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { formatNumber } from "../../../i18n/number.ts";
-import { timesOf } from "../../../program/run-times.ts";
-import type { Run, TimePart } from "../../../program/run-types.ts";
+import { timesOf } from "../../../program/run/run-times.ts";
+import type { Run, TimePart } from "../../../program/state/run-types.ts";
 
 const CAUSES = ["cutting", "rapid", "dwell", "toolChange", "spindle"] as const;
 const ALWAYS: readonly (typeof CAUSES)[number][] = ["cutting", "rapid"];

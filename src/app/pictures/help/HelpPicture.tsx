@@ -2,7 +2,7 @@ import { useId, useMemo, useRef, useState } from "react";
 import { likelyCompletion } from "../../../cycles/completions.ts";
 import type { Cycle, Given, Outline } from "../../../cycles/define.ts";
 import { pointPlan } from "../../../cycles/point-plan.ts";
-import type { Plan } from "../../../kernel/plan.ts";
+import type { Plan } from "../../../kernel/plan/plan.ts";
 import { texts } from "../../base/settings/loaded-texts.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { formatNumber } from "../../../i18n/number.ts";

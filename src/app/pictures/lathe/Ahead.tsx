@@ -1,5 +1,5 @@
 import { memo, useMemo, type ReactNode } from "react";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import type { PathStretch } from "../../../view/passes.ts";
 import { contourShapes, type Shape } from "../../../view/scene.ts";
 import { useOutcome } from "../../calculation/outcome.ts";

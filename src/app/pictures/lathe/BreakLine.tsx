@@ -1,6 +1,6 @@
 import { useEffect, useRef } from "react";
-import type { Pt } from "../../../kernel/point.ts";
-import type { Tool } from "../../../kernel/tool.ts";
+import type { Pt } from "../../../kernel/geometry/point.ts";
+import type { Tool } from "../../../kernel/plan/tool.ts";
 import { breakData, breakOf } from "../../../view/cutting-tool/break-line.ts";
 import { pageUnit } from "../../base/unit.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";

@@ -1,5 +1,5 @@
 import { useMemo, useSyncExternalStore } from "react";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { segmentData, stretchData } from "../../../view/path.ts";
 import { toolpath } from "../../../view/scene.ts";
 import { useMarked } from "../selection.ts";

@@ -1,5 +1,5 @@
 import { memo, useMemo } from "react";
-import type { Tool } from "../../../kernel/tool.ts";
+import type { Tool } from "../../../kernel/plan/tool.ts";
 import { toolShapes } from "../../../view/cutting-tool/drawing.ts";
 
 /** A tool in part space, relative to its tip: holder, insert in its pocket, and what holds it. */

@@ -1,4 +1,4 @@
-import { at } from "../../../kernel/point.ts";
+import { at } from "../../../kernel/geometry/point.ts";
 import { toScreen } from "../../../view/camera.ts";
 import type { HeldPlane } from "../../../view/held-plane.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";

@@ -1,8 +1,8 @@
 import { useId, useMemo } from "react";
-import { holderOutlines } from "../../../kernel/holder.ts";
-import { insertOutline } from "../../../kernel/insert.ts";
+import { holderOutlines } from "../../../kernel/cutter/holder.ts";
+import { insertOutline } from "../../../kernel/cutter/insert.ts";
 import { CHORD } from "../../../kernel/tolerance.ts";
-import type { Tool } from "../../../kernel/tool.ts";
+import type { Tool } from "../../../kernel/plan/tool.ts";
 import type { Bounds } from "../../../view/camera.ts";
 import { boundsOf, common, grownBounds, joined } from "../../../view/bounds.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";

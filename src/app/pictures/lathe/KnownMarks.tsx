@@ -1,5 +1,5 @@
 import type { KnownOutline, KnownPosition } from "../../../cycles/known-outline.ts";
-import type { KnownWork } from "../../../program/known-work.ts";
+import type { KnownWork } from "../../../program/job/known-work.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
 import { axial, diameter, radius, toRadius } from "../../../kernel/units.ts";
 import { toScreen } from "../../../view/camera.ts";

@@ -1,8 +1,8 @@
 import { Suspense, useEffect, useId, useMemo, useState } from "react";
-import type { KnownWork } from "../../../program/known-work.ts";
-import { NO_TIMING } from "../../../program/run-times.ts";
-import type { Run } from "../../../program/run-types.ts";
-import type { Pt, Ring } from "../../../kernel/point.ts";
+import type { KnownWork } from "../../../program/job/known-work.ts";
+import { NO_TIMING } from "../../../program/run/run-times.ts";
+import type { Run } from "../../../program/state/run-types.ts";
+import type { Pt, Ring } from "../../../kernel/geometry/point.ts";
 import { axial, diameter, radius, toRadius } from "../../../kernel/units.ts";
 import { toPlace, type Place } from "../../../view/camera.ts";
 import { datumAt, datumIndex } from "../../../view/datum.ts";

@@ -1,5 +1,5 @@
 import { useMemo } from "react";
-import type { Pt } from "../../../kernel/point.ts";
+import type { Pt } from "../../../kernel/geometry/point.ts";
 import { toScreen, type Camera, type Place } from "../../../view/camera.ts";
 import { WORKPIECE_ZERO } from "../../../view/datum.ts";
 import { useCamera } from "./use-camera.ts";

@@ -1,5 +1,5 @@
 import { memo, useCallback, useState } from "react";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";

@@ -1,7 +1,7 @@
 import { memo, useEffect, useId, useMemo, useRef, type CSSProperties } from "react";
 import type { Camera } from "../../../view/camera.ts";
-import type { Ring } from "../../../kernel/point.ts";
-import type { Run } from "../../../program/run-types.ts";
+import type { Ring } from "../../../kernel/geometry/point.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { outsideData } from "../../../view/material/outside.ts";
 import { ringData } from "../../../view/path.ts";
 import type { PathStretch } from "../../../view/passes.ts";

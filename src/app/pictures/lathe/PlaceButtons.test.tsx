@@ -1,7 +1,7 @@
 import { act, render, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test, vi } from "vitest";
-import { at } from "../../../kernel/point.ts";
+import { at } from "../../../kernel/geometry/point.ts";
 import { clock } from "../../base/clock.ts";
 import { createEye, seenInSpace } from "../solid/eye.ts";
 import { PlaceButtons } from "./PlaceButtons.tsx";

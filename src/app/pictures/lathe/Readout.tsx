@@ -1,5 +1,5 @@
 import { useCallback } from "react";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import type { Clock } from "../../base/clock.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
 import { useLengths } from "../../calculation/lengths.ts";

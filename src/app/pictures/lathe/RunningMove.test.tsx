@@ -1,10 +1,10 @@
 import { cleanup, render } from "@testing-library/react";
 import { afterEach, expect, test } from "vitest";
-import { exampleJob } from "../../../program/job.ts";
+import { exampleJob } from "../../../program/job/job.ts";
 import { cycleByNumber } from "../../../cycles/index.ts";
 import { parse } from "../../../nc/parse.ts";
-import { run } from "../../../program/run.ts";
-import { shippedTools } from "../../../program/shipped-tools.ts";
+import { run } from "../../../program/run/run.ts";
+import { shippedTools } from "../../../program/tools/shipped-tools.ts";
 import { surfacesOf } from "../../../view/material/surfaces.ts";
 import { stretchData } from "../../../view/path.ts";
 import { trackOf } from "../../../view/playback.ts";

@@ -1,5 +1,5 @@
 import { useCallback, useRef } from "react";
-import type { Step } from "../../../kernel/step.ts";
+import type { Step } from "../../../kernel/time/step.ts";
 import { stretchData } from "../../../view/path.ts";
 import { stepIndex, type Moving } from "../../calculation/moving.ts";
 import { useEachPicture } from "./use-playback.ts";

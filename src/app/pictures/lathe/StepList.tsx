@@ -1,4 +1,4 @@
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { changeSettings, useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";

@@ -1,5 +1,5 @@
 import { useCallback, useEffect, useMemo, useRef } from "react";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { secondsAt, trackOf } from "../../../view/playback.ts";
 import { timeBar, type TimedStep } from "../../../view/timeline.ts";

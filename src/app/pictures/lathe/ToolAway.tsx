@@ -1,8 +1,8 @@
 import { useEffect, useMemo, useRef } from "react";
 import type { StoreApi } from "zustand";
-import { part, type Pt, type Ring } from "../../../kernel/point.ts";
+import { part, type Pt, type Ring } from "../../../kernel/geometry/point.ts";
 import { CHORD } from "../../../kernel/tolerance.ts";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { leastCovering, placesBeside } from "../../../view/away-label.ts";
 import { boundsOf } from "../../../view/bounds.ts";
 import { toScreen, type Camera, type Place } from "../../../view/camera.ts";

@@ -1,8 +1,8 @@
 import { useCallback, useEffect, useMemo, useRef } from "react";
-import { insertOutline } from "../../../kernel/insert.ts";
-import type { Pt, Ring } from "../../../kernel/point.ts";
+import { insertOutline } from "../../../kernel/cutter/insert.ts";
+import type { Pt, Ring } from "../../../kernel/geometry/point.ts";
 import { CHORD, SAME_STEP } from "../../../kernel/tolerance.ts";
-import type { Tool } from "../../../kernel/tool.ts";
+import type { Tool } from "../../../kernel/plan/tool.ts";
 import { boundsOf, common, grownBounds } from "../../../view/bounds.ts";
 import type { Bounds } from "../../../view/camera.ts";
 import { liesInward, windowsOf } from "../../../view/cutting-tool/covered.ts";

@@ -1,5 +1,5 @@
-import type { Pt } from "../../../kernel/point.ts";
-import type { Step } from "../../../kernel/step.ts";
+import type { Pt } from "../../../kernel/geometry/point.ts";
+import type { Step } from "../../../kernel/time/step.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { bendsBetween } from "../../../view/bends.ts";
 import { tipAt } from "../../../view/tip.ts";

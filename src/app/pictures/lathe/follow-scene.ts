@@ -1,4 +1,4 @@
-import type { Ring } from "../../../kernel/point.ts";
+import type { Ring } from "../../../kernel/geometry/point.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { boundsOf } from "../../../view/bounds.ts";
 import type { Camera } from "../../../view/camera.ts";

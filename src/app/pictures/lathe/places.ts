@@ -1,7 +1,7 @@
 import { useMemo } from "react";
 import type { Texts } from "../../../i18n/index.ts";
 import type { AnyIssue } from "../../../i18n/message-texts.ts";
-import type { Pt } from "../../../kernel/point.ts";
+import type { Pt } from "../../../kernel/geometry/point.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import type { Bounds } from "../../../view/camera.ts";
 import type { FindingEntry, FindingSpot } from "../../findings/entry.ts";

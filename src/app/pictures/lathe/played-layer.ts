@@ -1,5 +1,5 @@
 import { transfer, type Remote } from "comlink";
-import type { Step } from "../../../kernel/step.ts";
+import type { Step } from "../../../kernel/time/step.ts";
 import type { StockLook } from "../../../view/material/stock-painter.ts";
 import { secondsAt, type PlayedTrack } from "../../../view/playback.ts";
 import { dayMoment } from "../../base/clock.ts";

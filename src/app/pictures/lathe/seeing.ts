@@ -1,5 +1,5 @@
 import { useSyncExternalStore } from "react";
-import type { Pt } from "../../../kernel/point.ts";
+import type { Pt } from "../../../kernel/geometry/point.ts";
 import { toScreen, type Place, type Size } from "../../../view/camera.ts";
 import type { Viewport } from "./viewport.ts";
 

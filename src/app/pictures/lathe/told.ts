@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import type { Pt, Ring } from "../../../kernel/point.ts";
+import type { Pt, Ring } from "../../../kernel/geometry/point.ts";
 import type { LookAt } from "./places.ts";
 
 /** What a task shows in the picture in place of the findings, and whether a press there names a place. */

@@ -1,6 +1,6 @@
 import { useMemo, useState } from "react";
-import type { Ring } from "../../../kernel/point.ts";
-import type { Run } from "../../../program/run-types.ts";
+import type { Ring } from "../../../kernel/geometry/point.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import type { Simulation } from "../../../sim/simulation.ts";
 import { chipsOf } from "../../../sim/chip/chips.ts";
 import { blanksOf, playerOf, sameBlank, type Player } from "../../../sim/stock.ts";

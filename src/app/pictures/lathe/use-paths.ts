@@ -1,6 +1,6 @@
 import { useMemo } from "react";
-import { markedBy, runningPart, type MoveSpan } from "../../../program/path-index.ts";
-import type { Run } from "../../../program/run-types.ts";
+import { markedBy, runningPart, type MoveSpan } from "../../../program/run/path-index.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { MOST_STRETCHES, pathStretches, wholePath, type KnownLines, type PathStretch } from "../../../view/passes.ts";
 import type { Shape, TipWays } from "../../../view/scene.ts";
 import { whenRehearsed } from "../../calculation/page-plan.ts";

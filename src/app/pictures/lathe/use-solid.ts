@@ -1,5 +1,5 @@
 import { useMemo, useState } from "react";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import type { ShownWork } from "../solid/show.ts";
 import type { Zooming } from "../solid/SolidView.tsx";

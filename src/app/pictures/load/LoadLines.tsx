@@ -1,5 +1,5 @@
 import { memo } from "react";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { useLoadDrawing } from "./use-drawing.ts";
 import type { Told } from "./use-load.ts";
 import "./load.css";

@@ -1,4 +1,4 @@
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { textWidth } from "../../../view/help/labels.ts";
 import { useSeeing, type Seeing } from "../lathe/seeing.ts";
 import { useLengths } from "../../calculation/lengths.ts";

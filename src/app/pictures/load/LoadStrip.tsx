@@ -1,8 +1,8 @@
 import { useCallback, useEffect, useRef, useSyncExternalStore } from "react";
 import type { LoadTexts } from "../../../i18n/en/load.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
-import type { Pt } from "../../../kernel/point.ts";
-import type { Run } from "../../../program/run-types.ts";
+import type { Pt } from "../../../kernel/geometry/point.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { stretchNear, stretchOfStep } from "../../../view/load/near.ts";
 import { rowAt } from "../../../view/load/values.ts";

@@ -1,4 +1,4 @@
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { placeText } from "../lathe/running.ts";
 import { useLengths } from "../../calculation/lengths.ts";

@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import type { PathLoad } from "../../../sim/load/along.ts";
 import type { RoughStretch } from "../../../sim/load/roughness.ts";
 import { loadRequestOf, type KnownOutcome, type LoadRequest } from "../../calculation/load-request.ts";

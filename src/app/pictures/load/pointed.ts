@@ -1,4 +1,4 @@
-import type { Pt } from "../../../kernel/point.ts";
+import type { Pt } from "../../../kernel/geometry/point.ts";
 
 /** A place of the work under the pointer; it changes without rendering the view. */
 export interface Pointed {

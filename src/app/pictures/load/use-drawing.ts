@@ -1,5 +1,5 @@
 import { useMemo } from "react";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { drawingAlong, drawingOfSurface, type LoadDrawing } from "../../../view/load/lines.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useSettings } from "../../base/settings/settings.ts";

@@ -3,7 +3,7 @@ import { loadLoad } from "../../../i18n/load-load.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import type { LoadTexts } from "../../../i18n/en/load.ts";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import type { PathLoad } from "../../../sim/load/along.ts";
 import type { RoughStretch } from "../../../sim/load/roughness.ts";
 import { greatestAlong, roughestOf, worstOf, type AlongPath, type LoadPlace } from "../../../view/load/values.ts";

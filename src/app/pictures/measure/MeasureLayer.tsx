@@ -1,7 +1,7 @@
 import { useEffect, useEffectEvent, useLayoutEffect, useMemo, useState } from "react";
 import { useStore } from "zustand";
-import type { MeasuredPlace } from "../../../kernel/measured.ts";
-import { part } from "../../../kernel/point.ts";
+import type { MeasuredPlace } from "../../../kernel/plan/measured.ts";
+import { part } from "../../../kernel/geometry/point.ts";
 import { toScreen, type Camera } from "../../../view/camera.ts";
 import type { LabelBox } from "../../../view/help/labels.ts";
 import { polyline } from "../../../view/help/marks.ts";

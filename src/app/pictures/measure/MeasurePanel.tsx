@@ -1,6 +1,6 @@
 import { useContext, useEffect, useRef, useState } from "react";
 import { Toolbar } from "react-aria-components/Toolbar";
-import type { MeasuredKind } from "../../../kernel/measured.ts";
+import type { MeasuredKind } from "../../../kernel/plan/measured.ts";
 import { toDiameter } from "../../../kernel/units.ts";
 import type { MeasureTexts } from "../../../i18n/en/measure.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";

@@ -1,5 +1,5 @@
 import { useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
-import type { Pt } from "../../../kernel/point.ts";
+import type { Pt } from "../../../kernel/geometry/point.ts";
 import { toPlace, type Camera, type Place } from "../../../view/camera.ts";
 import type { StandingMeasurement } from "../../../view/measure/layout.ts";
 import { setMeasured } from "../../document/edits.ts";

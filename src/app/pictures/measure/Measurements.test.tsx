@@ -1,8 +1,8 @@
 import { cleanup, render, screen } from "@testing-library/react";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { catalogue } from "../../../cycles/index.ts";
-import { at } from "../../../kernel/point.ts";
-import { exampleJob } from "../../../program/job.ts";
+import { at } from "../../../kernel/geometry/point.ts";
+import { exampleJob } from "../../../program/job/job.ts";
 import { setMeasured } from "../../document/edits.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
 import { begin } from "../../document/store.ts";

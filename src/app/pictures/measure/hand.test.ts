@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import { cuttingCycles } from "../../../cycles/index.ts";
 import { measure as texts } from "../../../i18n/en/measure.ts";
-import { at, type Pt, type Segment } from "../../../kernel/point.ts";
-import { exampleJob } from "../../../program/job.ts";
+import { at, type Pt, type Segment } from "../../../kernel/geometry/point.ts";
+import { exampleJob } from "../../../program/job/job.ts";
 import { toScreen } from "../../../view/camera.ts";
 import { gauged } from "../../../view/measure/figure.ts";
 import { measuredIn } from "../../document/edits.ts";

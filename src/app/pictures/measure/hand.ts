@@ -1,6 +1,6 @@
 import type { MeasureTexts } from "../../../i18n/en/measure.ts";
-import type { MeasuredKind, MeasuredMoment, MeasuredPlace, Measurement } from "../../../kernel/measured.ts";
-import { part } from "../../../kernel/point.ts";
+import type { MeasuredKind, MeasuredMoment, MeasuredPlace, Measurement } from "../../../kernel/plan/measured.ts";
+import { part } from "../../../kernel/geometry/point.ts";
 import { toPlace, type Place } from "../../../view/camera.ts";
 import { nudged } from "../../../view/measure/distance.ts";
 import { chainOfRing } from "../../../view/measure/edges.ts";

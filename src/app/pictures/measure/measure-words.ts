@@ -2,7 +2,7 @@ import type { MeasureTexts } from "../../../i18n/en/measure.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
 import { formatFixed } from "../../../i18n/number.ts";
 import { loadMeasure } from "../../../i18n/load-measure.ts";
-import type { MeasuredKind, MeasuredMoment } from "../../../kernel/measured.ts";
+import type { MeasuredKind, MeasuredMoment } from "../../../kernel/plan/measured.ts";
 import { INCH } from "../../../kernel/units.ts";
 import type { MeasurementNow } from "../../../view/measure/reading.ts";
 import { laterTexts } from "../../base/settings/later-texts.ts";

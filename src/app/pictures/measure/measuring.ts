@@ -1,6 +1,6 @@
 import { useMemo, useState } from "react";
 import { createStore, useStore, type StoreApi } from "zustand";
-import type { MeasuredKind, MeasuredPlace } from "../../../kernel/measured.ts";
+import type { MeasuredKind, MeasuredPlace } from "../../../kernel/plan/measured.ts";
 import type { LabelBox } from "../../../view/help/labels.ts";
 import type { Touches } from "../lathe/gestures.ts";
 

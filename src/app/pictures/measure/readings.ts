@@ -1,5 +1,5 @@
 import { useMemo } from "react";
-import type { Measurement } from "../../../kernel/measured.ts";
+import type { Measurement } from "../../../kernel/plan/measured.ts";
 import { chainOfRing } from "../../../view/measure/edges.ts";
 import { readMeasurement, type MeasurementNow } from "../../../view/measure/reading.ts";
 import { measuredIn } from "../../document/edits.ts";

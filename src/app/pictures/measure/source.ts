@@ -1,7 +1,7 @@
 import { useMemo } from "react";
-import type { MeasuredMoment } from "../../../kernel/measured.ts";
-import type { Pt, Ring } from "../../../kernel/point.ts";
-import type { Run } from "../../../program/run-types.ts";
+import type { MeasuredMoment } from "../../../kernel/plan/measured.ts";
+import type { Pt, Ring } from "../../../kernel/geometry/point.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import type { Chain } from "../../../view/measure/edges.ts";
 import { printsOf } from "../../../view/measure/print.ts";

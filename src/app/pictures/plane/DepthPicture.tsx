@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useRef } from "react";
-import type { PlaneStep } from "../../../program/plane-types.ts";
+import type { PlaneStep } from "../../../program/tools/plane-types.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { depthStrip, stripAt } from "../../../view/approach/depth.ts";
 import { bendsBetween } from "../../../view/bends.ts";

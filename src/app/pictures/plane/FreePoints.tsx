@@ -1,4 +1,4 @@
-import { partPoint } from "../../../kernel/plane.ts";
+import { partPoint } from "../../../kernel/plane/plane.ts";
 import { toScreen } from "../../../view/camera.ts";
 import type { ApproachSpeech } from "../../../view/approach/speech.ts";
 import { px } from "../../../view/help/marks.ts";

@@ -1,5 +1,5 @@
 import { Suspense, useEffect, type ComponentProps } from "react";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { useChosen } from "../../document/chosen.ts";
 import { useFindings } from "../../findings/use-findings.ts";
 import { LatheView } from "../lathe/LatheView.tsx";

@@ -1,6 +1,6 @@
 import { useCallback, useEffect, useMemo, useRef } from "react";
-import { partPoint } from "../../../kernel/plane.ts";
-import type { PlaneStep } from "../../../program/plane-types.ts";
+import { partPoint } from "../../../kernel/plane/plane.ts";
+import type { PlaneStep } from "../../../program/tools/plane-types.ts";
 import { planeMotionData } from "../../../view/approach/motion-data.ts";
 import { spotAt } from "../../../view/approach/plane-scene.ts";
 import { movingTip } from "../lathe/carry.ts";

@@ -1,5 +1,5 @@
 import { useMemo } from "react";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import type { RapidThrough } from "../../../sim/plane/milled.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 

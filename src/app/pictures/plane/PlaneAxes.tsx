@@ -1,6 +1,6 @@
 import { memo } from "react";
 import { formatNumber } from "../../../i18n/number.ts";
-import { partPoint, planePoint } from "../../../kernel/plane.ts";
+import { partPoint, planePoint } from "../../../kernel/plane/plane.ts";
 import { toPlace, toScreen } from "../../../view/camera.ts";
 import { ticks } from "../../../view/ticks.ts";
 import { SCALE_BELOW, SCALE_LEFT } from "../lathe/Axes.tsx";

@@ -1,7 +1,7 @@
 import { useMemo, useSyncExternalStore } from "react";
-import { wayOf } from "../../../kernel/mill-motion.ts";
-import { partSegment } from "../../../kernel/plane.ts";
-import type { Run } from "../../../program/run-types.ts";
+import { wayOf } from "../../../kernel/plane/mill-motion.ts";
+import { partSegment } from "../../../kernel/plane/plane.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { planeMotionData } from "../../../view/approach/motion-data.ts";
 import { segmentData } from "../../../view/path.ts";
 import type { Hover } from "../lathe/Chosen.tsx";

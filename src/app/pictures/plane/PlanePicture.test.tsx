@@ -1,7 +1,7 @@
 import { act, cleanup, render } from "@testing-library/react";
 import { afterEach, beforeAll, expect, test } from "vitest";
 import { parse } from "../../../nc/parse.ts";
-import { run } from "../../../program/run.ts";
+import { run } from "../../../program/run/run.ts";
 import { clock } from "../../base/clock.ts";
 import { forgetOutcome, takePlanned } from "../../calculation/outcome.ts";
 import { createPlaybackStore } from "../../calculation/playback-store.ts";

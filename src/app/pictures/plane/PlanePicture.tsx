@@ -1,5 +1,5 @@
 import { memo } from "react";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import type { RapidThrough } from "../../../sim/plane/milled.ts";
 import type { PlaneRole } from "../../../view/approach/plane-scene.ts";
 import { ringData } from "../../../view/path.ts";

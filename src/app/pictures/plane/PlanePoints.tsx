@@ -1,5 +1,5 @@
 import { memo, useMemo, useSyncExternalStore } from "react";
-import type { ApproachRun } from "../../../program/plane-types.ts";
+import type { ApproachRun } from "../../../program/tools/plane-types.ts";
 import { onScreen } from "../../../view/approach/frame.ts";
 import { planeNames } from "../../../view/approach/plane-names.ts";
 import type { Camera } from "../../../view/camera.ts";

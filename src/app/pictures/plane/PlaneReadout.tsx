@@ -1,10 +1,10 @@
 import { useCallback } from "react";
 import type { Texts } from "../../../i18n/index.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
-import type { ApproachRun, PlaneStep } from "../../../program/plane-types.ts";
+import type { ApproachRun, PlaneStep } from "../../../program/tools/plane-types.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { spotAt } from "../../../view/approach/plane-scene.ts";
-import { isRapid } from "../../../kernel/mill-motion.ts";
+import { isRapid } from "../../../kernel/plane/mill-motion.ts";
 import type { Clock } from "../../base/clock.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { useSaid, useSpoken } from "../lathe/use-said.ts";

@@ -1,4 +1,4 @@
-import type { ApproachRun } from "../../../program/plane-types.ts";
+import type { ApproachRun } from "../../../program/tools/plane-types.ts";
 import type { ApproachSpeech } from "../../../view/approach/speech.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 

@@ -1,5 +1,5 @@
 import { useId, useMemo } from "react";
-import type { ApproachRun } from "../../../program/plane-types.ts";
+import type { ApproachRun } from "../../../program/tools/plane-types.ts";
 import { withRoom } from "../../../view/approach/room.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 import { useLengths } from "../../calculation/lengths.ts";

@@ -1,4 +1,4 @@
-import type { PlaneStep } from "../../../program/plane-types.ts";
+import type { PlaneStep } from "../../../program/tools/plane-types.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import type { Camera } from "../../../view/camera.ts";
 import { toneOfDepth, type MilledColours } from "../../../view/approach/milled-paint.ts";

@@ -1,4 +1,4 @@
-import type { PlanePoint } from "../../../kernel/plane.ts";
+import type { PlanePoint } from "../../../kernel/plane/plane.ts";
 import type { LookAt } from "../lathe/places.ts";
 
 /** A place where a tool cuts a contour, with the start or end point that is free where the check proposes one. */

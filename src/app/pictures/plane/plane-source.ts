@@ -1,7 +1,7 @@
 import { useMemo } from "react";
-import { partPoint, partSegment } from "../../../kernel/plane.ts";
-import type { Ring } from "../../../kernel/point.ts";
-import type { Run } from "../../../program/run-types.ts";
+import { partPoint, partSegment } from "../../../kernel/plane/plane.ts";
+import type { Ring } from "../../../kernel/geometry/point.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { standingAbove } from "../../../sim/plane/body.ts";
 import { areasAt, type MilledStock } from "../../../sim/plane/milled.ts";
 import { printsOfMilled } from "../../../view/measure/print.ts";

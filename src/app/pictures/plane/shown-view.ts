@@ -1,7 +1,7 @@
 import { create } from "zustand";
-import type { PathChoice } from "../../../program/path-index.ts";
-import { crossing, momentOn, sideOfChoice, type MachineSide } from "../../../program/plane-index.ts";
-import type { Run } from "../../../program/run-types.ts";
+import type { PathChoice } from "../../../program/run/path-index.ts";
+import { crossing, momentOn, sideOfChoice, type MachineSide } from "../../../program/run/plane-index.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { trackOf } from "../../../view/playback.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 

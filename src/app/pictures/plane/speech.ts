@@ -1,7 +1,7 @@
 import type { Lengths } from "../../../i18n/lengths.ts";
-import { plane, type PlanePoint } from "../../../kernel/plane.ts";
+import { plane, type PlanePoint } from "../../../kernel/plane/plane.ts";
 import { radius, toDiameter } from "../../../kernel/units.ts";
-import type { WorkingPlane } from "../../../program/approach-fields.ts";
+import type { WorkingPlane } from "../../../program/motion/approach-fields.ts";
 import type { ApproachSpeech } from "../../../view/approach/speech.ts";
 
 const { sum } = plane;

@@ -1,5 +1,5 @@
 import { useState, type PointerEvent } from "react";
-import { planePoint, type PlanePoint } from "../../../kernel/plane.ts";
+import { planePoint, type PlanePoint } from "../../../kernel/plane/plane.ts";
 import { pageUnit } from "../../base/unit.ts";
 import { toPlace, type Camera } from "../../../view/camera.ts";
 import type { Handle } from "../../../view/approach/drag.ts";

@@ -1,5 +1,5 @@
 import { useMemo, useState } from "react";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { motionAt, type NamedLead } from "../../../view/approach/plane-pick.ts";
 import { toPlace, type Place } from "../../../view/camera.ts";
 import { createHover, type Hover } from "../lathe/Chosen.tsx";

@@ -1,5 +1,5 @@
 import { useEffect, useId, useMemo, useRef, useState } from "react";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { loadSolid } from "../../../i18n/load-solid.ts";
 import type { SolidTexts } from "../../../i18n/en/solid.ts";
 import { pathInSpace, segmentsInSpace } from "../../../view/solid/path-lines.ts";

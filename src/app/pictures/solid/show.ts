@@ -1,7 +1,7 @@
-import type { Clamped } from "../../../kernel/clamping.ts";
-import type { Ring, Segment } from "../../../kernel/point.ts";
-import type { Step } from "../../../kernel/step.ts";
-import type { Tool } from "../../../kernel/tool.ts";
+import type { Clamped } from "../../../kernel/area/clamping.ts";
+import type { Ring, Segment } from "../../../kernel/geometry/point.ts";
+import type { Step } from "../../../kernel/time/step.ts";
+import type { Tool } from "../../../kernel/plan/tool.ts";
 import type { SpindleFrom } from "../../../sim/load/spindles.ts";
 import type { PlayPosition, Simulation } from "../../../sim/simulation.ts";
 import { boundsOf, joined } from "../../../view/bounds.ts";

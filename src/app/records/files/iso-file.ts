@@ -13,7 +13,7 @@ export async function asKlartext(file: WorkFile): Promise<WorkFile> {
     Promise.all([
       import("../../../nc/iso/lines.ts"),
       import("../../../nc/iso/read-iso.ts"),
-      import("../../../program/iso-names.ts"),
+      import("../../../program/job/iso-names.ts"),
       import("../../../i18n/nc-labels.ts"),
       import("../../../nc/style.ts"),
     ])

@@ -1,5 +1,5 @@
 import { createStore, del, get, keys, set } from "idb-keyval";
-import { fileKey } from "../../../program/program-files.ts";
+import { fileKey } from "../../../program/state/program-files.ts";
 import type { FileHandle } from "./file-handle.ts";
 
 /** A file of the device that a file of a work came from or was saved to, and what it held then. */

@@ -2,7 +2,7 @@ import { useId, useMemo, useRef, useState } from "react";
 import { drawnTask } from "../../../course/printed-part.ts";
 import { shownId, type Task } from "../../../course/task.ts";
 import type { Language } from "../../../i18n/languages.ts";
-import { usualTable } from "../../../program/cutting-table.ts";
+import { usualTable } from "../../../program/tools/cutting-table.ts";
 import { workshopDrawing } from "../../../view/drawing/workshop-drawing.ts";
 import { useSize } from "../../../app/pictures/help/use-size.ts";
 import { Icon } from "../../../app/base/Icon.tsx";

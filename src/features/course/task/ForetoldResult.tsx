@@ -3,7 +3,7 @@ import type { ComparedAnswer } from "../../../course/told.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { formatNumber } from "../../../i18n/number.ts";
-import { part, type Pt } from "../../../kernel/point.ts";
+import { part, type Pt } from "../../../kernel/geometry/point.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { foretellAgain } from "./check.ts";

@@ -1,7 +1,7 @@
 import { useEffect, useEffectEvent } from "react";
 import type { TaskMark } from "../../../course/judge/judgement.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
-import type { Run } from "../../../program/run-types.ts";
+import type { Run } from "../../../program/state/run-types.ts";
 import { useChosen } from "../../../app/document/chosen.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { markId, showMark } from "./show-mark.ts";

@@ -1,5 +1,5 @@
 import { cycleByNumber } from "../../../cycles/index.ts";
-import type { Job } from "../../../program/job.ts";
+import type { Job } from "../../../program/job/job.ts";
 import { startOfTask, toolsOfTask } from "../../../course/start-of.ts";
 import type { Task } from "../../../course/task.ts";
 import { draftOf } from "../../../app/document/edits.ts";

@@ -1,6 +1,6 @@
 import type { TaskMark } from "../../../course/judge/judgement.ts";
-import type { Run } from "../../../program/run-types.ts";
-import { choiceOf } from "../../../program/path-index.ts";
+import type { Run } from "../../../program/state/run-types.ts";
+import { choiceOf } from "../../../program/run/path-index.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { draftOf } from "../../../app/document/edits.ts";
 import { chooseFinding } from "../../../app/document/chosen.ts";

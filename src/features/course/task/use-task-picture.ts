@@ -5,7 +5,7 @@ import { answerKindOf, typedPlace, type ComparedAnswer } from "../../../course/t
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { formatFixed } from "../../../i18n/number.ts";
-import { at, type Pt, type Ring } from "../../../kernel/point.ts";
+import { at, type Pt, type Ring } from "../../../kernel/geometry/point.ts";
 import { axial, radius, toDiameter } from "../../../kernel/units.ts";
 import { useOutcome } from "../../../app/calculation/outcome.ts";
 import { boundsRound } from "../../../app/findings/spots.ts";

@@ -2,7 +2,7 @@ import { outlinesFrom, PART_SOURCES, partOfMade } from "../../../course/made/mad
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { isSameSize } from "../../../course/made/form-of-task.ts";
 import { wantedPart } from "../../../course/wanted-part.ts";
-import { usualTable } from "../../../program/cutting-table.ts";
+import { usualTable } from "../../../program/tools/cutting-table.ts";
 import { sizeChoices } from "./size-choices.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 import { TeachText, type FormPart } from "./WordFields.tsx";

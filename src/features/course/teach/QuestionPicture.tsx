@@ -1,7 +1,7 @@
 import { useRef } from "react";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import type { TruePlace } from "../../../course/judge/predicting.ts";
-import { at, type Pt } from "../../../kernel/point.ts";
+import { at, type Pt } from "../../../kernel/geometry/point.ts";
 import { axial, radius } from "../../../kernel/units.ts";
 import { boundsOf } from "../../../view/bounds.ts";
 import { ringData, segmentData } from "../../../view/path.ts";

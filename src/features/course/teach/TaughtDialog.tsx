@@ -1,7 +1,7 @@
 import { useEffect } from "react";
 import { formatNumber } from "../../../i18n/number.ts";
 import { blankOfLines } from "../../../course/wanted-part.ts";
-import { boxAround } from "../../../kernel/box.ts";
+import { boxAround } from "../../../kernel/area/box.ts";
 import { toDiameter, radius } from "../../../kernel/units.ts";
 import { HandingDialog } from "../../../app/base/HandingDialog.tsx";
 import { Icon } from "../../../app/base/Icon.tsx";

@@ -9,7 +9,7 @@ import { wantedPart } from "../../../course/wanted-part.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useEditor } from "../../../app/document/store.ts";
 import { decimalSign } from "../../../i18n/number.ts";
-import { usualTable } from "../../../program/cutting-table.ts";
+import { usualTable } from "../../../program/tools/cutting-table.ts";
 import { fingerprint } from "../../../app/records/difference.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useModal } from "../../../app/base/use-modal.ts";

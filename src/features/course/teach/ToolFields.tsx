@@ -2,7 +2,7 @@ import { useId } from "react";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { calledTools } from "../../../course/judge/rules.ts";
 import { TOOL_OFFERS } from "../../../course/made/made-form.ts";
-import { shippedTools } from "../../../program/shipped-tools.ts";
+import { shippedTools } from "../../../program/tools/shipped-tools.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 import type { FormPart } from "./WordFields.tsx";
 

@@ -3,7 +3,7 @@ import { RESULT_FORMAT, type HandedResult, type TaskResult } from "../../../cour
 import { progressOfTask, type CourseProgress } from "../../../course/progress.ts";
 import type { Task } from "../../../course/task.ts";
 import type { Language } from "../../../i18n/languages.ts";
-import { shippedList } from "../../../program/tool-list.ts";
+import { shippedList } from "../../../program/tools/tool-list.ts";
 import { time } from "../../../app/base/clock.ts";
 import { outcomeBeside } from "../../../app/calculation/beside.ts";
 import { printedText } from "../../../app/document/printed.ts";

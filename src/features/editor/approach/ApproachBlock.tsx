@@ -1,7 +1,7 @@
 import { useCallback, useEffect, useMemo, useState } from "react";
 import { withBlock } from "../../../nc/edit.ts";
 import { startLines } from "../../../nc/program.ts";
-import { approachContext } from "../../../program/approach-context.ts";
+import { approachContext } from "../../../program/edits/approach-context.ts";
 import { parametersBefore } from "../../../app/fields/blocks/block-context.ts";
 import { watchTyped } from "../../../app/fields/blocks/half-typed.ts";
 import { editProgram, useSession } from "../../../app/fields/blocks/session.ts";

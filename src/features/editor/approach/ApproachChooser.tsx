@@ -1,6 +1,6 @@
 import { useMemo } from "react";
-import type { PlaneSegment } from "../../../kernel/plane.ts";
-import type { ApproachContext } from "../../../program/approach-request.ts";
+import type { PlaneSegment } from "../../../kernel/plane/plane.ts";
+import type { ApproachContext } from "../../../program/edits/approach-request.ts";
 import { suggestedForms, type SuggestedForm } from "../../../view/approach/forms.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { FormCard } from "./FormCard.tsx";

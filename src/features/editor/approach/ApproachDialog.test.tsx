@@ -4,8 +4,8 @@ import { useState } from "react";
 import { afterEach, beforeAll, expect, test } from "vitest";
 import { withBlock } from "../../../nc/edit.ts";
 import { parse } from "../../../nc/parse.ts";
-import { approachContext } from "../../../program/approach-context.ts";
-import { run } from "../../../program/run.ts";
+import { approachContext } from "../../../program/edits/approach-context.ts";
+import { run } from "../../../program/run/run.ts";
 import { fetchTexts } from "../../../app/base/settings/loaded-texts.ts";
 import { ApproachDialog } from "./ApproachDialog.tsx";
 

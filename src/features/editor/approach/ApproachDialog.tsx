@@ -1,9 +1,9 @@
 import { useEffect, useState } from "react";
-import { approach } from "../../../kernel/approach.ts";
-import type { ApproachStatement } from "../../../program/approach-draft.ts";
-import { shapeOf } from "../../../program/approach-fields.ts";
-import { readyApproach, wordsOfPoint, type ApproachContext } from "../../../program/approach-request.ts";
-import { positionAsTyped } from "../../../program/typed-value.ts";
+import { approach } from "../../../kernel/plane/approach.ts";
+import type { ApproachStatement } from "../../../program/edits/approach-draft.ts";
+import { shapeOf } from "../../../program/motion/approach-fields.ts";
+import { readyApproach, wordsOfPoint, type ApproachContext } from "../../../program/edits/approach-request.ts";
+import { positionAsTyped } from "../../../program/values/typed-value.ts";
 import type { Dragged } from "../../../view/approach/drag.ts";
 import { onPromptKey } from "../../../app/fields/dialog/prompt-keys.ts";
 import { PromptDialog } from "../../../app/fields/dialog/PromptDialog.tsx";

@@ -1,10 +1,10 @@
 import { useMemo } from "react";
-import { compensate } from "../../../kernel/compensate.ts";
-import type { PlanePoint } from "../../../kernel/plane.ts";
-import type { WorkingPlane } from "../../../program/approach-fields.ts";
+import { compensate } from "../../../kernel/plane/compensate.ts";
+import type { PlanePoint } from "../../../kernel/plane/plane.ts";
+import type { WorkingPlane } from "../../../program/motion/approach-fields.ts";
 import { approachDrawing } from "../../../view/approach/drawing.ts";
 import { nearby, type SuggestedForm } from "../../../view/approach/forms.ts";
-import type { PlaneSegment } from "../../../kernel/plane.ts";
+import type { PlaneSegment } from "../../../kernel/plane/plane.ts";
 import { px } from "../../../view/help/marks.ts";
 import { HelpMarks } from "../../../app/pictures/help/HelpMarks.tsx";
 import { useLengths } from "../../../app/calculation/lengths.ts";

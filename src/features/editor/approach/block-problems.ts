@@ -1,5 +1,5 @@
-import type { Issue } from "../../../kernel/issue.ts";
-import type { ApproachReading } from "../../../program/approach-draft.ts";
+import type { Issue } from "../../../kernel/plan/issue.ts";
+import type { ApproachReading } from "../../../program/edits/approach-draft.ts";
 import { entryAt, type FindingEntry } from "../../../app/findings/entry.ts";
 
 const weight = { error: 0, warning: 1, info: 2 } as const;

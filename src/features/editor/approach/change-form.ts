@@ -1,6 +1,6 @@
-import { approachDraft, approachStatement, type ApproachDraft, type ApproachStatement } from "../../../program/approach-draft.ts";
-import { wordsOfPoint, type ApproachContext } from "../../../program/approach-request.ts";
-import { positionAsTyped } from "../../../program/typed-value.ts";
+import { approachDraft, approachStatement, type ApproachDraft, type ApproachStatement } from "../../../program/edits/approach-draft.ts";
+import { wordsOfPoint, type ApproachContext } from "../../../program/edits/approach-request.ts";
+import { positionAsTyped } from "../../../program/values/typed-value.ts";
 import type { SuggestedForm } from "../../../view/approach/forms.ts";
 
 const text = (n: number | undefined, unit: number) => (n === undefined ? "" : positionAsTyped(n / unit));

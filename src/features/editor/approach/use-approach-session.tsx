@@ -2,9 +2,9 @@ import { useMemo, useState, type ReactNode } from "react";
 import type { Texts } from "../../../i18n/index.ts";
 import { formatNumber, formatSigned } from "../../../i18n/number.ts";
 import { approachDraft, approachStatement, readApproach, SIDES, type ApproachDraft, type ApproachReading,
-  type ApproachStatement } from "../../../program/approach-draft.ts";
-import { approachFields, type ApproachField, type ApproachWord } from "../../../program/approach-fields.ts";
-import type { ApproachContext } from "../../../program/approach-request.ts";
+  type ApproachStatement } from "../../../program/edits/approach-draft.ts";
+import { approachFields, type ApproachField, type ApproachWord } from "../../../program/motion/approach-fields.ts";
+import type { ApproachContext } from "../../../program/edits/approach-request.ts";
 import type { Prompt, PromptSession } from "../../../app/fields/dialog/session.ts";
 import type { FindingEntry } from "../../../app/findings/entry.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";

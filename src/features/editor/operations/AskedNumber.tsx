@@ -1,5 +1,5 @@
 import { useId, useRef } from "react";
-import { readText, sumOf, type Field } from "../../../program/field.ts";
+import { readText, sumOf, type Field } from "../../../program/values/field.ts";
 import { useNumberEntry } from "../../../app/fields/dialog/use-number-entry.ts";
 import { inScreenWriting } from "../../../app/fields/dialog/write-value.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";

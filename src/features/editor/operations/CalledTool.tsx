@@ -1,6 +1,6 @@
 import { Suspense, useState } from "react";
 import type { Statement, StatementOf } from "../../../nc/statement.ts";
-import { definesCycle } from "../../../program/operations.ts";
+import { definesCycle } from "../../../program/edits/operations.ts";
 import { useSession } from "../../../app/fields/blocks/session.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { InsertDrawing } from "../../../app/pictures/lathe/InsertDrawing.tsx";

@@ -1,7 +1,7 @@
 import { useLayoutEffect, useRef, useState } from "react";
-import { emptyProgram } from "../../../program/empty-program.ts";
-import { SETUP_FIELDS as FIELDS } from "../../../program/setup-fields.ts";
-import type { BlankDraft } from "../../../program/job.ts";
+import { emptyProgram } from "../../../program/job/empty-program.ts";
+import { SETUP_FIELDS as FIELDS } from "../../../program/job/setup-fields.ts";
+import type { BlankDraft } from "../../../program/job/job.ts";
 import { openText } from "../../../app/fields/open/open-program.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { usePlace } from "../../../app/place/place.ts";

@@ -1,5 +1,5 @@
 import { Suspense, useEffect, useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
-import type { Refusal } from "../../../program/operation-edits.ts";
+import type { Refusal } from "../../../program/edits/operation-edits.ts";
 import { openBlock, useSession } from "../../../app/fields/blocks/session.ts";
 import { chooseOpenBlock } from "../../../app/fields/blocks/choose-block.ts";
 import { isPresent } from "../../../app/fields/blocks/present.ts";

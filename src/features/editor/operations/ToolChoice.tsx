@@ -1,5 +1,5 @@
-import type { Tool } from "../../../kernel/tool.ts";
-import type { ToolFit } from "../../../program/which-tool.ts";
+import type { Tool } from "../../../kernel/plan/tool.ts";
+import type { ToolFit } from "../../../program/tools/which-tool.ts";
 import { InsertDrawing } from "../../../app/pictures/lathe/InsertDrawing.tsx";
 import { ToolWords, useToolDetails, useToolVerdict } from "../../../app/fields/setup/tool-words.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";

@@ -1,7 +1,7 @@
 import type { Program } from "../../../nc/program.ts";
 import { duplicatedOperation, isRefused, movedOperation, retooledOperation, switchedOperation, withoutOperation,
-  type Refusal } from "../../../program/operation-edits.ts";
-import { isOff, operationsOf } from "../../../program/operations.ts";
+  type Refusal } from "../../../program/edits/operation-edits.ts";
+import { isOff, operationsOf } from "../../../program/edits/operations.ts";
 import { editProgram, useSession } from "../../../app/fields/blocks/session.ts";
 import { asOneStep } from "../../../app/document/steps.ts";
 import { changeProgram, useEditor } from "../../../app/document/store.ts";

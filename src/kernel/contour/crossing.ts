@@ -1,0 +1,64 @@
+import { overlap, type Box } from "../geometry/segments.ts";
+import { part, type Segment } from "../geometry/point.ts";
+import { SAME } from "../tolerance.ts";
+
+const { along, boxOf, lengthOf, meetings } = part;
+
+/** True when two segments meet in a point that is not an end of both. */
+function crosses(a: Segment, b: Segment): boolean {
+  const [lengthA, lengthB] = [lengthOf(a), lengthOf(b)];
+  return meetings(a, b).some((point) => {
+    const [onA, onB] = [along(a, point), along(b, point)];
+    if (onA < -SAME || onA > lengthA + SAME || onB < -SAME || onB > lengthB + SAME) return false;
+    const inA = onA > SAME && onA < lengthA - SAME;
+    const inB = onB > SAME && onB < lengthB - SAME;
+    return inA || inB;
+  });
+}
+
+/** Two segments of a chain that cross, as indices (the later one first); null: none do. */
+type Crossing = readonly [number, number] | null;
+
+/** A chain never changes, and is asked about again by all that read it. */
+const known = new WeakMap<readonly Segment[], Crossing>();
+
+/** Two segments of a chain that cross or touch, as indices (the later one first), or null. Overlaps are not looked for. */
+export function selfCrossing(chain: readonly Segment[]): Crossing {
+  const before = known.get(chain);
+  if (before !== undefined) return before;
+  const found = firstCrossing(chain);
+  known.set(chain, found);
+  return found;
+}
+
+/** Whether one more segment crosses or touches a chain that it goes on from, or leads to. */
+export function crossesChain(one: Segment, chain: readonly Segment[]): boolean {
+  const box = boxOf(one);
+  return chain.some((s) => overlap(box, boxOf(s)) && crosses(one, s));
+}
+
+interface Placed {
+  readonly s: Segment;
+  readonly index: number;
+  readonly box: Box;
+}
+
+function firstCrossing(chain: readonly Segment[]): Crossing {
+  const boxes = chain.map(boxOf);
+  // Along the longer side fewer of them lie beside each other.
+  const [left, right, low, high] = boxes.reduce(
+    (all, b) => [Math.min(all[0], b.left), Math.max(all[1], b.right), Math.min(all[2], b.low), Math.max(all[3], b.high)],
+    [Infinity, -Infinity, Infinity, -Infinity],
+  );
+  const [begin, end] = right - left > high - low ? ["left", "right"] as const : ["low", "high"] as const;
+  const placed = chain.map((s, index): Placed => ({ s, index, box: boxes[index] as Box })).sort((a, b) => a.box[begin] - b.box[begin]);
+  let active: Placed[] = [];
+  for (const one of placed) {
+    active = active.filter((other) => other.box[end] >= one.box[begin]);
+    for (const other of active)
+      if (overlap(one.box, other.box) && crosses(one.s, other.s))
+        return [Math.max(one.index, other.index), Math.min(one.index, other.index)];
+    active.push(one);
+  }
+  return null;
+}

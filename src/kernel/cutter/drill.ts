@@ -1,0 +1,58 @@
+import type { Convex } from "../reach/convex.ts";
+import type { Flat } from "../geometry/flat.ts";
+import { DRILL_TYPES, type Tool } from "../plan/tool.ts";
+import { length, radians } from "../units.ts";
+import type { NeededHole } from "../time/step.ts";
+
+/** Length of a drill whose LCUTS is empty, mm. */
+const LONG = 100;
+/** A point angle from which on a drill is flat, degrees. */
+const FLAT = 180;
+
+export const isDrill = (t: Tool): boolean => DRILL_TYPES.some((type) => type === t.TYPE);
+
+/** From the point of a drill to where it has its full radius, mm: nothing where its point is flat, or its angle unknown. */
+export function pointLength(t: Tool): number {
+  const angle = t["T-ANGLE"] ?? FLAT;
+  return angle > 0 && angle < FLAT ? (t.R ?? 0) / Math.tan(radians(angle) / 2) : 0;
+}
+
+/** How deep a point of an angle is driven where the bore has a radius, mm; null where the angle makes no point. */
+export function depthAtRadius(t: Tool, radius: number): number | null {
+  const angle = t["T-ANGLE"] ?? 0;
+  return angle > 0 && angle < FLAT ? radius / Math.tan(radians(angle) / 2) : null;
+}
+
+/** From the thread of a bore to its core, in pitches: the height of the internal thread by the standard. */
+const CORE = 0.5413;
+/** A core may be this much narrower, mm: the tolerance of the drill before it. */
+const NARROWER = 0.05;
+/** Of a tap without a pitch, and of any: what the core is at least, as a share of its radius. */
+const NARROWEST = 0.5;
+/** The hole that is drilled, from the thread in pitches of the radius. */
+const HALF_PITCH = 0.5;
+
+/** The hole that a tap needs, by its pitch (mm; that of the tool if none is given); of any other tool none. */
+export function holeOf(t: Tool, pitch: number = t.PITCH ?? 0): NeededHole | null {
+  if (t.TYPE !== "TAP" && pitch === 0) return null;
+  const r = t.R ?? 0;
+  const narrowest = NARROWEST * r;
+  const least = pitch > 0 ? Math.max(narrowest, r - CORE * pitch - NARROWER) : narrowest;
+  // The trade drills the nominal diameter less the pitch.
+  return { radius: length(least), drill: length(pitch > 0 ? Math.max(least, r - HALF_PITCH * pitch) : least) };
+}
+
+/** A drill on the axis, relative to its point, seen from the side: it points to -Z and lies on both sides of the axis. */
+export function drillShape(t: Tool): Convex {
+  const [r, point] = [t.R ?? 0, pointLength(t)];
+  const end = point + Math.max(t.CUTLENGTH ?? LONG, r);
+  const corners: Flat[] = [{ u: point, v: -r }, { u: end, v: -r }, { u: end, v: r }, { u: point, v: r }];
+  if (point > 0) corners.push({ u: 0, v: 0 });
+  const features = ["secondaryEdge", "back", "mainEdge", "nose", "nose"] as const;
+  return corners.map((from, i) => ({
+    kind: "line",
+    from,
+    to: corners[(i + 1) % corners.length] as Flat,
+    feature: features[i] ?? "nose",
+  }));
+}

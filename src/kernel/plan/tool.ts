@@ -1,0 +1,56 @@
+import type { Degrees, Length } from "../units.ts";
+
+export const TOOL_TYPES = ["ROUGH", "FINISH", "RECESS", "RECTURN", "BUTTON", "THREAD"] as const;
+export type ToolType = (typeof TOOL_TYPES)[number];
+/** Tools that stand on the axis and cut a bore by their own shape; they are kept in the table of milling tools. */
+export const DRILL_TYPES = ["DRILL", "CENTER", "TAP"] as const;
+export type DrillType = (typeof DRILL_TYPES)[number];
+/** Tip orientation 1..9, as on HEIDENHAIN lathes. */
+export type TipOrientation = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9;
+
+/** A corner of a holder, from the theoretical tip along Z and X (radius), mm. */
+export type HolderCorner = readonly [z: Length, x: Length];
+
+/** A holder for the collision check only: it never changes a path. A box, the shank, and what joins it to the insert. All mm. */
+export interface Holder {
+  /** Across the shank. */
+  readonly width: Length;
+  /** Along the shank. */
+  readonly length: Length;
+  /** From the theoretical tip to the near corner of the shank, along Z and X (radius). */
+  readonly offsetZ: Length;
+  readonly offsetX: Length;
+  /** Along which axis the shank lies; without it X for orientations that point to −X (and for round inserts), Z for all others. */
+  readonly axis?: "X" | "Z";
+  /** Head, neck or blade between shank and insert: convex outlines by their corners. */
+  readonly head?: readonly (readonly HolderCorner[])[];
+}
+
+/** One row of the turning-tool table, or a drill, by the names of its columns. mm and degrees; a missing cell is absent. */
+export interface Tool {
+  readonly T: number;
+  readonly NAME: string;
+  readonly TYPE: ToolType | DrillType;
+  readonly TO: TipOrientation;
+  readonly RS: Length;
+  /** Radius of a drill, with its delta. */
+  readonly R?: Length;
+  /** Pitch of a tap. */
+  readonly PITCH?: Length;
+  readonly ZL?: Length;
+  readonly XL?: Length;
+  readonly DZL?: Length;
+  readonly DXL?: Length;
+  /** Oversize of length 3, along Y: off the plane that is turned in. */
+  readonly DYL?: Length;
+  readonly DRS?: Length;
+  readonly ORI?: Degrees;
+  readonly "T-ANGLE"?: Degrees;
+  readonly "P-ANGLE"?: Degrees;
+  readonly CUTLENGTH?: Length;
+  readonly CUTWIDTH?: Length;
+  readonly DCW?: Length;
+  readonly holder?: Holder;
+  /** FUNCTION TURNDATA CORR: how far the insert stands from the tip the control counts with, along Z and X (radius). */
+  readonly correction?: { readonly z: Length; readonly r: Length };
+}

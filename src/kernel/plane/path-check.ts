@@ -1,0 +1,112 @@
+import { overlap, type Box } from "../geometry/segments.ts";
+import { plane, type PlanePoint, type PlaneSegment } from "./plane.ts";
+import { ARC_END, SAME } from "../tolerance.ts";
+
+const { along, boxOf, gapBetween, lengthOf, meetings, nearestOn, apart } = plane;
+
+/** A piece of the way of the tool centre, and the index of the contour element that it mills. */
+export interface OwnedPiece {
+  readonly segment: PlaneSegment;
+  readonly element: number;
+}
+
+/** Where the tool, milling one element, cuts into another that is not its neighbour on the path. */
+export interface PathCut {
+  /** Index of the piece of the path. */
+  readonly piece: number;
+  /** Index of the contour element that is cut. */
+  readonly into: number;
+  /** How deep the tool reaches beyond the contour, mm. */
+  readonly depth: number;
+  readonly on: PlanePoint;
+}
+
+/** Two arcs whose ends miss their circles come this much too near, mm: that is no cut. */
+export const LEAST_PATH_CUT = 2 * ARC_END;
+
+/** Elements whose boxes are looked at together: a long contour runs through many places, and most of them are far away. */
+const GROUP = 32;
+
+const joined = (a: Box, b: Box): Box => ({
+  left: Math.min(a.left, b.left),
+  right: Math.max(a.right, b.right),
+  low: Math.min(a.low, b.low),
+  high: Math.max(a.high, b.high),
+});
+const wider = (b: Box, by: number): Box => ({ left: b.left - by, right: b.right + by, low: b.low - by, high: b.high + by });
+
+/** Calls with the index of every segment whose box meets a box. */
+function finder(segments: readonly PlaneSegment[]): (box: Box, found: (index: number) => void) => void {
+  const boxes = segments.map(boxOf), groups: Box[] = [];
+  boxes.forEach((box, i) => {
+    const group = Math.floor(i / GROUP), before = groups[group];
+    groups[group] = before ? joined(before, box) : box;
+  });
+  return (box, found) => {
+    groups.forEach((group, g) => {
+      if (!overlap(group, box)) return;
+      const end = Math.min(boxes.length, (g + 1) * GROUP);
+      for (let i = g * GROUP; i < end; i += 1) {
+        const each = boxes[i];
+        if (each && overlap(each, box)) found(i);
+      }
+    });
+  };
+}
+
+/**
+ * A contour that crosses itself ends where it does so: often its first and its last element are drawn beyond their corner, into the
+ * air. What lies before the first and behind the last crossing is no wall.
+ */
+function wallsOf(contour: readonly PlaneSegment[], find: ReturnType<typeof finder>): readonly (PlaneSegment | null)[] {
+  let [first, last]: [{ index: number; on: PlanePoint } | null, { index: number; on: PlanePoint } | null] = [null, null];
+  contour.forEach((s, index) => {
+    find(boxOf(s), (other) => {
+      const t = contour[other];
+      if (!t || other <= index + 1) return;
+      for (const p of meetings(s, t)) {
+        if (apart(nearestOn(s, p), p) > SAME || apart(nearestOn(t, p), p) > SAME) continue;
+        if (!first || index < first.index || (index === first.index && along(s, p) < along(s, first.on))) first = { index, on: p };
+        if (!last || other > last.index || (other === last.index && along(t, p) > along(t, last.on))) last = { index: other, on: p };
+      }
+    });
+  });
+  const [from, to] = [first, last] as [{ index: number; on: PlanePoint } | null, { index: number; on: PlanePoint } | null];
+  if (!from || !to) return contour;
+  return contour.map((s, i) => {
+    if (i < from.index || i > to.index) return null;
+    const begun = i === from.index && apart(s.from, from.on) > SAME ? { ...s, from: from.on } : s;
+    const ended = i === to.index && apart(s.to, to.on) > SAME ? { ...begun, to: to.on } : begun;
+    return lengthOf(ended) > SAME ? ended : null;
+  });
+}
+
+/**
+ * The deepest place where the tool cuts into its own contour away from where it mills: a waist that it runs through although it is too
+ * narrow. Neighbours on the path are looked at when it is compensated. `isWall` and the pieces leave out what runs above the part.
+ */
+export function pathCut(
+  contour: readonly PlaneSegment[],
+  pieces: readonly OwnedPiece[],
+  toolRadius: number,
+  isWall: (element: number) => boolean = () => true,
+): PathCut | null {
+  if (!(toolRadius > 0)) return null;
+  const find = finder(contour);
+  let walls: readonly (PlaneSegment | null)[] | null = null;
+  let worst: PathCut | null = null;
+  pieces.forEach(({ segment, element }, piece) => {
+    find(wider(boxOf(segment), toolRadius - LEAST_PATH_CUT), (into) => {
+      const near = contour[into];
+      if (!near || into === element || !isWall(into)) return;
+      // Of two lines in a corner the path is cut exactly where both are as near as the tool is large.
+      if (Math.abs(into - element) === 1 && near.kind === "line" && contour[element]?.kind === "line") return;
+      if (toolRadius - gapBetween(segment, near).distance <= (worst?.depth ?? LEAST_PATH_CUT)) return;
+      walls ??= wallsOf(contour, find);
+      const wall = walls[into], gap = wall && gapBetween(segment, wall);
+      if (gap && toolRadius - gap.distance > (worst?.depth ?? LEAST_PATH_CUT))
+        worst = { piece, into, depth: toolRadius - gap.distance, on: gap.on };
+    });
+  });
+  return worst;
+}

@@ -1,0 +1,28 @@
+import type { FileName, Statement } from "../../nc/statement.ts";
+import { formulaOf, textOf, type Trouble } from "../values/formula.ts";
+import type { Machine } from "../state/machine.ts";
+
+/** A Q parameter takes the value of a formula. */
+export function assign(machine: Machine, s: Extract<Statement, { kind: "assign" }>, index: number): void {
+  if (s.formula.kind === "undefined") return machine.known.unset(s.target);
+  keep(machine, s.target, formulaOf(s.formula, machine.parameters, machine.known.texts), index);
+}
+
+/** A QS parameter takes a text. */
+export function assignText(machine: Machine, s: Extract<Statement, { kind: "assignText" }>, index: number): void {
+  keep(machine, s.target, textOf(s.text, machine.parameters, machine.known.texts), index);
+}
+
+/** Keeps what was worked out; what hangs on a value that nobody knows is not known either. */
+function keep(machine: Machine, target: string, result: number | string | Trouble, index: number): void {
+  const { known } = machine;
+  if (typeof result === "string") return known.setText(target, result);
+  const passedOn = typeof result !== "number" && result.kind === "unset" ? known.reasonOf(result.name) : null;
+  const n = passedOn ? null : machine.settle(result, index);
+  if (n === null) known.forget(target, passedOn ?? "told");
+  else known.set(target, n);
+}
+
+/** The name that a block gives a file; null when it hangs on a parameter that holds none. */
+export const writtenFile = (machine: Machine, file: FileName, index: number): string | null =>
+  typeof file === "object" ? machine.text(file.parameter, index) : file;

@@ -1,0 +1,224 @@
+import { writtenFile } from "./assign.ts";
+import type { Cuboid } from "../../kernel/area/box.ts";
+import { difference } from "../../kernel/area/clip.ts";
+import { issue } from "../../kernel/plan/issue.ts";
+import type { Ring } from "../../kernel/geometry/point.ts";
+import { areaOutside } from "../../kernel/area/real-area.ts";
+import { axial, length, toDiameter } from "../../kernel/units.ts";
+import type { AxisName, FileName, Label, OutlineSource, StatementOf, Value } from "../../nc/statement.ts";
+import { boxBetween, cylinder, measured, rotation, turnedBox, type BoxCorner } from "../state/blank-form.ts";
+import { readContourOf } from "./contour-subprogram.ts";
+import { valueOf } from "../values/formula.ts";
+import { programIssue } from "../state/issue.ts";
+import type { Machine } from "../state/machine.ts";
+import type { ContourSource } from "../state/modal.ts";
+import { traceBlank } from "./stock-at-call.ts";
+
+const impossible = (machine: Machine, index: number): void => machine.log.say(programIssue("blankImpossible", "error", {}), index);
+
+const now = ({ log }: Machine) => ({ operations: log.operations.length, steps: log.steps.length });
+
+/** A program that is called says again what its blank would be: that of its caller stands in the chuck. */
+function isOfCaller(machine: Machine): boolean {
+  const { blankIn } = machine.now;
+  if (blankIn === undefined) machine.set({ blankIn: machine.unit.file });
+  return blankIn !== undefined && blankIn !== machine.unit.file;
+}
+
+/** Takes a body round the axis of the spindle as the blank; one round another axis is told where the program turns. */
+function take(machine: Machine, rings: readonly Ring[] | null, axis: AxisName, index: number): void {
+  if (isOfCaller(machine)) return;
+  if (!rings) return impossible(machine, index);
+  if (axis === "Z") return machine.set({ blank: rings, blankSince: now(machine), unturned: null });
+  machine.set({ blank: [], unturned: { kind: "otherAxis", index, form: `BLK FORM … ${axis}` } });
+  if (machine.now.turning) turnBlank(machine);
+}
+
+const NOTHING: BoxCorner = { x: null, y: null, z: null };
+
+/**
+ * BLK FORM 0.1 and 0.2. The upper side is for the approaches of a mill; a value without a number is told only where a program
+ * needs it, which is there or where it turns.
+ */
+export function blankBox(machine: Machine, s: StatementOf<"blankBox">, index: number): void {
+  const top = s.corner === 2 ? s.axes.find((w) => w.axis === "Z") : undefined;
+  const n = top ? machine.number(top.value, index) : null;
+  if (n !== null) machine.setMill({ top: machine.length(n) });
+  if (isOfCaller(machine)) return;
+  const { unturned } = machine.now;
+  const first = s.corner === 2 && unturned?.kind === "box" ? unturned.corners[0] : NOTHING;
+  const along = (axis: "X" | "Y" | "Z", before: number | null): number | null => {
+    const word = s.axes.find((w) => w.axis === axis);
+    const value = word && valueOf(word.value, machine.parameters);
+    if (!word || typeof value !== "number") return null;
+    return word.incremental ? before && before + machine.length(value) : machine.length(value);
+  };
+  const corner: BoxCorner = { x: along("X", first.x), y: along("Y", first.y), z: along("Z", first.z) };
+  machine.set({ blank: [], unturned: { kind: "box", index, corners: s.corner === 1 ? [corner, NOTHING] : [first, corner] } });
+  if (machine.now.turning && s.corner === 2) turnBlank(machine);
+}
+
+/** The box that is stated as the blank; null for other forms, and where a corner is not known. */
+export function cuboidOf({ now: { unturned } }: Machine): Cuboid | null {
+  const box = unturned?.kind === "box" ? boxBetween(...unturned.corners) : null;
+  return typeof box === "string" ? null : box;
+}
+
+export function blankCylinder(machine: Machine, s: StatementOf<"blankCylinder">, index: number): void {
+  const read = (v: Value | null) => {
+    const n = v === null ? null : machine.number(v, index);
+    return n === null ? null : machine.length(n);
+  };
+  const [outside, inside] = [read(s.outside?.value ?? null), read(s.inside?.value ?? null)];
+  const [long, distance] = [read(s.length), read(s.distance)];
+  if (!s.outside || s.length === null) return impossible(machine, index);
+  // A value without a number has been told.
+  if (outside === null || long === null || (s.inside && inside === null) || (s.distance !== null && distance === null)) return;
+  const rings = cylinder({
+    outside: measured(outside, s.outside.measure === "D"),
+    inside: measured(inside ?? 0, s.inside?.measure === "DI"),
+    length: length(long),
+    front: axial(distance ?? 0),
+  });
+  take(machine, rings, s.axis, index);
+}
+
+/** BLK FORM ROTATION: an outline turned round the axis, less what an inner outline takes away. */
+export function blankRotation(machine: Machine, s: StatementOf<"blankRotation">, index: number): void {
+  if (isOfCaller(machine)) return;
+  const radii = s.measure === "R";
+  const missing = "file" in s.outline ? notAtHand(machine, s.outline.file, index) : null;
+  if (missing !== null) return unread(machine, `BLK FORM ROTATION "${missing}"`, index);
+  const outer = outlined(machine, s.outline, { radii, what: "BLK FORM ROTATION" }, index);
+  const inner = s.inner === null ? [] : behindLabel(machine, s.inner, radii, index);
+  if (s.inner !== null) machine.log.say(programIssue("wordsRecalled", "info", { what: "LBLIN" }), index);
+  if (outer === "unread" || inner === "unread") return;
+  const rings = outer && inner && difference(outer, inner);
+  take(machine, rings && rings.length > 0 ? rings : null, s.axis, index);
+}
+
+/** BLK FORM FILE: the body is kept, and not read; a program that turns is not proved with it. */
+export function blankFile(machine: Machine, s: StatementOf<"blankFile">, index: number): void {
+  if (isOfCaller(machine)) return;
+  unread(machine, `BLK FORM FILE "${s.file}"`, index);
+}
+
+/** A blank whose file is not read: nothing is proved with it where the program turns. */
+function unread(machine: Machine, form: string, index: number): void {
+  machine.set({ blank: [], unturned: { kind: "file", index, form } });
+  if (machine.now.turning) turnBlank(machine);
+}
+
+/** The name of a file that was not opened with the program, which is told; null for one that was, or whose name nobody knows. */
+function notAtHand(machine: Machine, named: FileName, index: number): string | null {
+  const file = writtenFile(machine, named, index);
+  if (file === null || machine.unitOfFile(file, index)) return null;
+  machine.log.say(programIssue("programNotOpened", "info", { file }), index);
+  return file;
+}
+
+/** An outline of FUNCTION TURNDATA says what is turned: what a blank of another form would be is no matter then. */
+const statesOutline = ({ program }: Machine) => program.blocks.some(({ statement: s }) => s.kind === "turnBlank" && s.blank !== "off");
+
+/** The program turns: what stands for a blank of another form, and what is said of it, at the block of that blank. */
+export function turnBlank(machine: Machine): void {
+  const { blank, unturned } = machine.now;
+  if (blank.length > 0 || !unturned) return;
+  const { index } = unturned;
+  const made = unturned.kind === "box" ? turnedBox(...unturned.corners) : unturned.kind;
+  if (typeof made !== "string") return machine.set({ blank: made.rings, blankSince: now(machine) });
+  if (made === "impossible") return impossible(machine, index);
+  if (statesOutline(machine)) return;
+  const form = unturned.kind === "box" ? "BLK FORM 0.1" : unturned.form;
+  if (made === "file" || made === "unknown") machine.log.leaveUnproved(form, index);
+  else machine.log.say(programIssue("blankNotTurned", "info", { form }), index);
+}
+
+/** Says that a cycle was called without a blank, unless it has been told why there is none. */
+export function tellMissing({ log }: Machine): void {
+  if (!log.unproved.some((u) => u.what.startsWith("BLK FORM"))) log.say(programIssue("blankMissing", "warning", {}), null);
+}
+
+/** Says that a box stands for the stock, unless an outline has taken its place before anything was cut. */
+export function tellBox(machine: Machine): void {
+  const { blank, unturned } = machine.now;
+  const made = unturned?.kind === "box" && blank.length > 0 ? turnedBox(...unturned.corners) : null;
+  if (!unturned || !made || typeof made === "string") return;
+  machine.log.say(programIssue("boxTurned", "warning", { outer: toDiameter(made.outer), inner: toDiameter(made.inner) }), unturned.index);
+}
+
+/** The rings of an outline; null: it has no area; "unread": what is missing has been told. */
+type Outlined = Ring[] | null | "unread";
+
+function behind(machine: Machine, source: ContourSource, radii: boolean, index: number): Outlined {
+  const read = readContourOf(machine, source, index, radii);
+  if (!read) return "unread";
+  for (const i of read.contour.issues) machine.log.say(i, read.blocks["element" in i.data ? i.data.element - 1 : 0] ?? index);
+  return rotation(read.contour.segments);
+}
+
+const behindLabel = (machine: Machine, label: Label, radii: boolean, index: number): Outlined =>
+  behind(machine, { unit: machine.unit, label }, radii, index);
+
+/** An outline behind a label or in a file; `radii`: its X words are radii. A file that is not at hand leaves `what` unproved. */
+function outlined(
+  machine: Machine,
+  from: OutlineSource,
+  { radii, what }: { readonly radii: boolean; readonly what: string },
+  index: number,
+): Outlined {
+  if ("label" in from) return behindLabel(machine, from.label, radii, index);
+  const missing = notAtHand(machine, from.file, index);
+  const file = missing === null ? writtenFile(machine, from.file, index) : null;
+  const unit = file === null ? null : machine.unitOfFile(file, index);
+  if (unit) return behind(machine, { unit, label: null }, radii, index);
+  machine.log.leaveUnproved(missing === null ? what : `${what} "${missing}"`, index);
+  return "unread";
+}
+
+/** Where an outline stands, as a program spells it. */
+function sourceName(machine: Machine, from: OutlineSource, index: number): string {
+  if ("file" in from) return `"${writtenFile(machine, from.file, index) ?? ""}"`;
+  return `LBL ${typeof from.label === "number" ? from.label : `"${from.label}"`}`;
+}
+
+/** FUNCTION TURNDATA BLANK: the outline in a label or a file is what stands from here on. */
+export function blankOfTurnData(machine: Machine, { blank }: StatementOf<"turnBlank">, index: number): void {
+  if (blank === "off") return void (machine.traced = null);
+  const what = "FUNCTION TURNDATA BLANK";
+  // While milling no blank is traced.
+  if (!machine.now.turning) return machine.log.notSimulated(what, index);
+  const rings = outlined(machine, blank, { radii: false, what }, index);
+  if (rings === "unread") return;
+  if (!rings) return impossible(machine, index);
+  const named = `${what} ${sourceName(machine, blank, index)}`;
+  const before = machine.now.blank;
+  // A box says how large the material may be, not what it is.
+  const stated = before.length > 0 && machine.now.unturned === null;
+  machine.log.say(programIssue("blankTraced", "info", {}), index);
+  if (machine.log.steps.some((s) => s.move.kind !== "rapid")) {
+    tellBox(machine);
+    if (before.length === 0) machine.log.leaveUnproved(named, index);
+    machine.log.states(rings, { what: named, before }, index);
+  } else compare(machine, { before, rings, stated, named }, index);
+  machine.set({ blank: rings, blankSince: now(machine), unturned: null });
+  traceBlank(machine, rings);
+}
+
+interface Compared {
+  readonly before: readonly Ring[];
+  readonly rings: readonly Ring[];
+  readonly stated: boolean;
+  readonly named: string;
+}
+
+/** Nothing is cut yet: the outline is the blank. What BLK FORM has beyond it may stand there and is not proved. */
+function compare(machine: Machine, { before, rings, stated, named }: Compared, index: number): void {
+  const [lacks, adds] = [stated ? areaOutside(before, rings) : 0, areaOutside(rings, before)];
+  if (!stated) machine.log.say(programIssue("blankTaken", "info", { what: named }), index);
+  if (lacks > 0) {
+    machine.log.say(issue("blankLacks", "warning", { what: named, area: lacks }), index);
+    machine.log.leaveUnproved(named, index);
+  }
+  if (before.length > 0 && adds > 0) machine.log.say(programIssue("blankAdds", "warning", { what: named, area: adds }), index);
+}

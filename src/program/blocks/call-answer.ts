@@ -1,0 +1,112 @@
+import type { Cycle, Given } from "../../cycles/define.ts";
+import type { Issue } from "../../kernel/plan/issue.ts";
+import type { Plan, Setting } from "../../kernel/plan/plan.ts";
+import type { Pt, Ring } from "../../kernel/geometry/point.ts";
+import { askedOf } from "../../cycles/asked.ts";
+import { empty } from "../../kernel/strategy/leveled.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { cycleValues } from "./cycle-values.ts";
+import type { ProgramIssue } from "../state/issue.ts";
+import type { Machine } from "../state/machine.ts";
+import type { Defined } from "../state/modal.ts";
+import { exactly, type PlanMemory } from "../state/plan-memory.ts";
+import { unlikelyFeeds } from "../state/preconditions.ts";
+import type { Operation } from "../state/run-types.ts";
+import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
+import { slipAtCall } from "../values/slips.ts";
+import { threadWarnings } from "./thread-warnings.ts";
+import { judgeOf, triedOffers } from "../values/tried.ts";
+
+/** A cycle as it is called: beside what is in force, all that its path hangs on. */
+interface CalledCycle extends Pick<Given, "contour"> {
+  readonly cycle: Cycle;
+  readonly defined: Pick<Defined, "values" | "troubled">;
+  /** What was told of the contour at its blocks; null where what else is wrong with it follows from that. */
+  readonly told: readonly Issue["code"][] | null;
+  /** Theoretical tip on the workpiece. */
+  readonly start: Pt;
+  /** The tool that was called, or one that stands in for it. */
+  readonly tool: Tool;
+  /** What stands in the chuck, on the workpiece; null where nobody knows. */
+  readonly stock: readonly Ring[] | null;
+  /** What of the blank nobody has bored yet, on the workpiece. */
+  readonly solid: Setting["solid"];
+}
+
+/** What comes of a call, wherever it stands in the program. */
+export interface CallAnswer extends Pick<Operation, "call" | "plan"> {
+  /** What is wrong with values, tool and plan. */
+  readonly found: readonly Issue[];
+  /** What of it, and of the feeds, is told. */
+  readonly said: readonly (Issue | ProgramIssue)[];
+  /** What it is known by; absent where nothing is remembered. */
+  readonly name?: string;
+}
+
+const nothing: Plan = empty([]);
+
+const unique = (issues: readonly Issue[]) => [...new Map(issues.map((i) => [JSON.stringify([i.code, i.at ?? "", i.data]), i])).values()];
+
+function answer(
+  machine: Machine,
+  { cycle, defined, contour, told, start: at, tool, stock: standing, solid: unbored }: CalledCycle,
+): CallAnswer {
+  const { spindle, now: { datum, toolFeed: autoFeed, tool: called } } = machine;
+  const start = countedPoint(at, datum);
+  const given: Given = { contour, start };
+  const { values, partial, issues } = cycleValues(machine, cycle, defined.values);
+  const counted = (rings: readonly Ring[]) => rings.map((ring) => ring.map((p) => countedPoint(p, datum)));
+  const [stock, blank] = [standing && counted(standing), counted(machine.now.blank)];
+  const solid = unbored ? { rings: counted(unbored.rings), below: unbored.below - datum.z, isBored: unbored.isBored } : null;
+  const setting = { tool, start, feedUnit: machine.feedUnit, autoFeed, stock, leavesOutAir: machine.traced !== null, solid, blank };
+  const plan = values && (cycle.contour === "own" || contour)
+    ? { ...cycle.plan(values, setting, given), asked: askedOf(cycle, values) }
+    : nothing;
+  const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
+  // What a tool that was never called would do wrong is no fault of the program.
+  const planned = called ? plan.issues : [];
+  const turning = threadWarnings(cycle, plan, spindle, machine.clock.rapid);
+  const own = issues.filter((i) => i.code !== "missing" || !defined.troubled.has(i.at ?? ""));
+  const judge = judgeOf(cycle, called ? setting : null, given);
+  // An impossible sign or order explains whatever tool and path say to it.
+  const slip = values && called && judge && own.length === 0
+    ? slipAtCall({ cycle, values, setting, judge, outlined, planned: plan.issues })
+    : null;
+  const found = slip ?? unique([...own, ...outlined, ...planned, ...turning]);
+  const news = found.filter((i) => i.at !== "contour" || (told !== null && !told.includes(i.code)));
+  const offered = slip ?? triedOffers(cycle.params, partial, news, judge, start);
+  const feeds = values && plan !== nothing
+    ? unlikelyFeeds(cycle, values, plan.moves, machine, (v) => cycle.plan(v, setting, given).moves)
+    : [];
+  return {
+    plan: shiftedPlan(slip ? { ...plan, issues: slip } : plan, datum),
+    found,
+    said: [...offered, ...feeds],
+    call: values && { values, given, autoFeed, start, datum },
+  };
+}
+
+const place = ({ z, r }: Pt): string => `${exactly(z)} ${exactly(r)}`;
+
+/** All that an answer hangs on. */
+function questionOf(machine: Machine, memory: Pick<PlanMemory, "nameOf">, asked: CalledCycle): string {
+  const { cycle, defined, contour, told, start, tool, stock, solid } = asked;
+  const { spindle, clock: { rapid }, now: { inch, datum, toolFeed, perRevolution, tool: called } } = machine;
+  return [
+    `call ${cycle.number} ${place(start)} ${exactly(datum.x)} ${exactly(datum.z)} ${exactly(datum.y)}`,
+    JSON.stringify([inch, toolFeed, perRevolution, rapid, spindle, called !== null, machine.traced !== null, told]),
+    JSON.stringify([[...defined.values], [...defined.troubled]]),
+    contour ? memory.nameOf(contour) : "",
+    memory.nameOf(tool),
+    stock ? memory.nameOf(stock) : "",
+    solid ? `${memory.nameOf(solid.rings)} ${exactly(solid.below)} ${solid.isBored}` : "",
+    memory.nameOf(machine.now.blank),
+  ].join("\n");
+}
+
+/** What comes of a call: worked out, or known from the run before. */
+export function answerTo(machine: Machine, asked: CalledCycle): CallAnswer {
+  const { memory } = machine.shop;
+  if (!memory) return answer(machine, asked);
+  return memory.once(questionOf(machine, memory, asked), (name) => ({ ...answer(machine, asked), name }), ({ plan }) => plan.moves.length);
+}

@@ -1,0 +1,89 @@
+import { writtenFile } from "./assign.ts";
+import type { FileName, OutlinePlace, StatementOf } from "../../nc/statement.ts";
+import { assign, assignText } from "./assign.ts";
+import { contourLabels } from "../state/contour-names.ts";
+import type { Machine } from "../state/machine.ts";
+import type { ContourSource, JoinedContours } from "../state/modal.ts";
+import type { Unit } from "../state/units.ts";
+
+/** One contour that a block names; the file that is missing; several that make one; or nobody knows which. */
+type Found = ContourSource | { readonly missing: string } | JoinedContours | null;
+
+/** Where an outline stands; null when a parameter that says so has no value. */
+function find(machine: Machine, from: OutlinePlace, unit: Unit, index: number): Found {
+  if ("file" in from) {
+    const name = writtenFile(machine, from.file, index);
+    if (name === null) return null;
+    const file = machine.unitOfFile(name, index);
+    return file ? { unit: file, label: null } : { missing: name };
+  }
+  const { label } = from;
+  if (typeof label !== "object") return { unit, label };
+  const held = label.parameter.startsWith("QS") ? machine.text(label.parameter, index) : machine.number(label, index);
+  return held === null ? null : { unit, label: held };
+}
+
+function take(machine: Machine, found: Found, what: string, index: number): void {
+  if (found === null) return machine.set({ contours: "unknown", contourFile: null });
+  if ("joined" in found) return machine.set({ contours: found, contourFile: null });
+  if ("unit" in found) return machine.set({ contours: [found], contourFile: null });
+  machine.set({ contours: [], contourFile: found.missing });
+  machine.log.notSimulated(`${what} "${found.missing}"`, index, "warning");
+}
+
+/** A formula that names one contour means it; several make one by a rule of milling, of which turning knows nothing. */
+function byFormula(s: StatementOf<"contourFormula">, declared: ReadonlyMap<string, Found>, index: number): Found {
+  const names = new Set(s.terms.filter((term) => term.startsWith("QC")));
+  const [only = ""] = names;
+  return names.size === 1 ? (declared.get(only) ?? null) : { joined: s.terms.join(" "), index };
+}
+
+/** The contour of a file: the file is one, or it declares contours and the last formula says which counts. */
+function contourOf(machine: Machine, unit: Unit): Found {
+  const blocks = unit.program.blocks.map((block, i) => ({ s: block.statement, index: unit.from + i })).filter(({ index }) =>
+    !machine.isSkipped(index)
+  );
+  const declarations = blocks.filter(({ s }) => s.kind === "declareContour");
+  if (declarations.length === 0) return { unit, label: null };
+  const declared = new Map<string, Found>();
+  let chosen: Found | undefined;
+  for (const { s, index } of blocks) {
+    if (s.kind === "assignText") assignText(machine, s, index);
+    else if (s.kind === "assign") assign(machine, s, index);
+    else if (s.kind === "declareContour") declared.set(s.contour, find(machine, s.from, unit, index));
+    else if (s.kind === "contourFormula") {
+      chosen = byFormula(s, declared, index);
+      declared.set(s.target, chosen);
+    }
+  }
+  if (chosen !== undefined) return chosen;
+  const [only] = declared.values();
+  return declared.size === 1 ? (only ?? null) : { joined: [...declared.keys()].join(" "), index: declarations[1]?.index ?? unit.from };
+}
+
+function takeFile(machine: Machine, file: FileName, what: string, index: number): void {
+  const found = find(machine, { file }, machine.unit, index);
+  take(machine, found && "unit" in found ? contourOf(machine, found.unit) : found, what, index);
+}
+
+/** SEL CONTOUR: the contour of a file that is at hand; else the cycle that needs it says that it is missing. */
+export const selectContour = (machine: Machine, s: StatementOf<"selectContour">, index: number): void =>
+  takeFile(machine, s.file, "SEL CONTOUR", index);
+
+/** CONTOUR DEF: one area is a contour; several are the areas of a pocket. */
+export function contourDefinition(machine: Machine, { areas }: StatementOf<"contourDefinition">, index: number): void {
+  const [area] = areas;
+  if (areas.length > 1) {
+    const joined = areas.map(({ role, number }) => `${role}${number}`).join(" ");
+    return take(machine, { joined, index }, "CONTOUR DEF", index);
+  }
+  if (area && "file" in area.from) return takeFile(machine, area.from.file, "CONTOUR DEF", index);
+  take(machine, area ? find(machine, area.from, machine.unit, index) : null, "CONTOUR DEF", index);
+}
+
+/** Cycle 14: the contour goes through the labels of its second line one after the other. */
+export function contourCycle(machine: Machine, { line, text }: StatementOf<"cycleLine">, index: number): void {
+  const found = line === 0 ? [] : contourLabels(text).map((label) => find(machine, { label }, machine.unit, index));
+  const sources = found.filter((each): each is ContourSource => each !== null && "unit" in each);
+  machine.set({ contourFile: null, contours: sources.length < found.length ? "unknown" : sources });
+}

@@ -1,0 +1,241 @@
+import type { Cycle, Given } from "../../cycles/define.ts";
+import { cycleByNumber } from "../../cycles/index.ts";
+import { issue, type Issue } from "../../kernel/plan/issue.ts";
+import { partPoint } from "../../kernel/plane/plane.ts";
+import type { CycleParameter, StatementOf } from "../../nc/statement.ts";
+import type { Pt } from "../../kernel/geometry/point.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { answerTo } from "./call-answer.ts";
+import { readContourOf } from "./contour-subprogram.ts";
+import { cycleValues } from "./cycle-values.ts";
+import { drillOnAxis, isDrilling } from "./drill-run.ts";
+import { programIssue, type ProgramIssue } from "../state/issue.ts";
+import type { UnknownReason } from "../values/known-values.ts";
+import type { Machine } from "../state/machine.ts";
+import type { Defined } from "../state/modal.ts";
+import { pointIn } from "../state/path.ts";
+import { offCentre } from "../motion/off-centre.ts";
+import { foreignParameters, lineOfParameter, noTool } from "../state/preconditions.ts";
+import { perform } from "./perform.ts";
+import type { TextLine } from "../state/run-types.ts";
+import { callNamed } from "./program-calls.ts";
+import { countedPoint } from "./shifted-plan.ts";
+import { solidAtCall, stockAtCall } from "./stock-at-call.ts";
+import { mustTurn } from "./spindle-start.ts";
+import { startUnknown } from "../motion/turn-run.ts";
+import { actingCycle, actsAtOnce, isSilent } from "./unproved-blocks.ts";
+import { rankTools } from "../tools/which-tool.ts";
+
+interface Read extends Pick<Given, "contour"> {
+  /** What was told of the contour at its blocks; null where what else is wrong with it follows from one that can not be read. */
+  readonly told: readonly Issue["code"][] | null;
+  /** Of each segment, in programmed order: its block, and the number of its element there. */
+  readonly places: readonly { readonly block: number; readonly element: number }[];
+}
+
+/** That none is named, or that it can not be read, is told where it is met. */
+const NO_CONTOUR: Read = { contour: null, told: null, places: [] };
+/** A cycle that follows none. */
+const OWN_CONTOUR: Read = { contour: null, told: [], places: [] };
+
+/** The contour that cycle 14 names, with its issues said at their blocks. */
+function givenContour(machine: Machine, cycle: number, index: number, operation: number): Read {
+  const { contours } = machine.now;
+  if (contours === "unknown") {
+    machine.log.leaveUnproved("CYCL CALL", index);
+    return NO_CONTOUR;
+  }
+  if ("joined" in contours) {
+    machine.log.say(programIssue("contoursJoined", "warning", { cycle, joined: contours.joined }), contours.index);
+    machine.log.leaveUnproved("CYCL CALL", index);
+    return NO_CONTOUR;
+  }
+  if (contours.length === 0) {
+    const { contourFile: file } = machine.now;
+    machine.log.say(file === null ? programIssue("contourNotNamed", "error", { cycle }) : programIssue("contourInFile", "error", { file }),
+      index);
+    return NO_CONTOUR;
+  }
+  const read = contours.map((source) => readContourOf(machine, source, index));
+  // Where a block could not be read, what else is wrong with the contour is wrong for that reason.
+  for (const r of read)
+    for (const i of r && !r.isTroubled ? r.contour.issues : []) {
+      const element = "element" in i.data ? i.data.element : 0;
+      machine.log.say(i, r?.blocks[element - 1] ?? index, 0, operation);
+    }
+  // One contour is handed on as it is: what was found out about it holds.
+  const [only] = read;
+  const segments = read.length === 1 ? only?.contour.segments ?? [] : read.flatMap((r) => r?.contour.segments ?? []);
+  const places = read.flatMap((r) => r?.contour.elements.map((element) => ({ element, block: r.blocks[element - 1] ?? index })) ?? []);
+  const isTroubled = read.some((r) => r?.isTroubled ?? true);
+  const told = isTroubled ? null : read.flatMap((r) => r?.contour.issues ?? []).map((i) => i.code);
+  return { contour: segments.length > 0 ? segments : null, told, places };
+}
+
+/** What a cycle says of a segment of its contour, with the number and the block of that element; everything else at the call. */
+function inProgram<F extends Issue | ProgramIssue>(
+  found: F,
+  places: Read["places"],
+  call: number,
+): { readonly said: F; readonly block: number } {
+  const { element, other } = found.data as { readonly element?: unknown; readonly other?: unknown };
+  const placeOf = (segment: unknown) => (found.at === "contour" && typeof segment === "number" ? places[segment - 1] : undefined);
+  const [place, second] = [placeOf(element), placeOf(other)];
+  if (!place) return { said: found, block: call };
+  return {
+    said: { ...found, data: { ...found.data, element: place.element, ...(second && { other: second.element }) } },
+    block: place.block,
+  };
+}
+
+/**
+ * A part of a program that calls no tool is shown all the same, with the tool of the table that makes most of its contour;
+ * that no tool is called has been said, as an error.
+ */
+function standIn(machine: Machine, cycle: Cycle, given: Defined["values"], contour: Given["contour"], at: Pt, index: number): Tool | null {
+  const { values } = cycleValues(machine, cycle, given);
+  if (!values || (cycle.contour === "free" && !contour)) return null;
+  const start = countedPoint(at, machine.now.datum);
+  const best = rankTools(cycle, values, { contour, start }, {
+    start,
+    feedUnit: machine.feedUnit,
+    autoFeed: machine.now.toolFeed,
+    stock: null,
+  }, machine.shop.tools)[0]?.tool;
+  if (best) machine.log.say(issue("betterTool", "info", { tool: best.T, name: best.NAME }, "tool"), index);
+  return best ?? null;
+}
+
+/** What must hold at a cycle call, apart from its values. */
+function preconditions(machine: Machine, index: number): void {
+  if (machine.now.mode !== "TURN") machine.log.say(programIssue("notInTurnMode", "error", {}), index);
+  if (machine.now.compensation !== "R0")
+    machine.log.say(programIssue("compensationActive", "error", { side: machine.now.compensation }), index);
+  if (!machine.now.tool) noTool(machine, index);
+}
+
+/**
+ * Where the tip stands at the call, on the workpiece. While milling the words of X are taken as the diameters that they were
+ * meant to be.
+ */
+function startOf(machine: Machine, index: number): Pt | null {
+  if (!machine.now.turning) return pointIn("lathe", machine.place.mill);
+  // With RL or RR still active the tip stands beside the programmed point.
+  const really = machine.now.compensation === "R0" ? null : machine.turnGuide.here;
+  const start = really && machine.tip ? partPoint(really) : machine.tip;
+  if (start && (!machine.place.sure.x || !machine.place.sure.z)) {
+    // It is planned from where the tool stood before, which is nothing to go by.
+    machine.log.say(programIssue("startUnknown", "warning", {}), index);
+    machine.log.leaveUnproved("CYCL CALL", index);
+  } else if (!start && machine.place.lost === "unproved") machine.log.leaveUnproved("CYCL CALL", index);
+  else if (!start) startUnknown(machine, index);
+  return start;
+}
+
+/** A cycle of another kind is kept: what it does to the workpiece, nobody here knows. */
+function otherCycle(machine: Machine, { index: definedIn, cycle }: Defined, index: number): void {
+  const s = machine.blocks[definedIn]?.statement;
+  const name = s?.kind === "cycle" ? s.name : s?.kind === "cycleLine" ? s.text : "";
+  machine.log.leaveUnproved(`CYCL DEF ${cycle} ${name}`.trim(), index);
+}
+
+/** Executes a cycle call: plans the defined cycle from where the tip stands and runs its moves. */
+export function callCycle(machine: Machine, index: number): void {
+  const { defined } = machine.now;
+  if (!defined) return machine.log.say(programIssue("noCycleDefined", "error", {}), index);
+  machine.called.add(defined.index);
+  if (defined.program !== undefined) return callNamed(machine, defined.program, `CYCL DEF ${defined.cycle}`, index);
+  const known = cycleByNumber(defined.cycle);
+  const cycle = known && (machine.shop.memory?.of(known) ?? known);
+  if (!cycle) return drillOnAxis(machine, defined, index) ? undefined : otherCycle(machine, defined, index);
+  preconditions(machine, index);
+  const start = startOf(machine, index);
+  if (!start) return;
+  if (!machine.roomForOperation(index)) return;
+  const operation = machine.log.operations.length;
+  const { places, contour, told } = cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : OWN_CONTOUR;
+  const tool = machine.now.tool ?? standIn(machine, cycle, defined.values, contour, start, index);
+  if (!tool) return;
+  mustTurn(machine, tool, index, { operation });
+  offCentre(machine, index);
+  const standing = { stock: stockAtCall(machine), solid: solidAtCall(machine) };
+  const answer = answerTo(machine, { cycle, defined, contour, told, start, tool, ...standing });
+  const contourLines = contour && { contourLines: places.map(({ block }) => lineAt(machine, block)) };
+  perform(machine, { cycle: cycle.number, defined, answer, start, tool, ...contourLines }, index);
+  const where = machine.blocks[defined.index]?.raw ?? "";
+  for (const i of answer.said) {
+    const parameter = i.at?.startsWith("Q") ? i.at : null;
+    const placed = inProgram(i, places, index);
+    if (parameter) machine.log.say(i, defined.index, lineOfParameter(where, parameter), operation);
+    else machine.log.say(placed.said, placed.block, 0, operation);
+  }
+}
+
+/** The line on which a block begins, in the text that it stands in. */
+function lineAt(machine: Machine, block: number): TextLine {
+  const { line, file } = machine.log.placeOf(block);
+  return { line, ...(file !== undefined && { file }) };
+}
+
+/** The parameters of a definition as they are now, and why some are not known. */
+interface Parameters {
+  readonly values: Map<string, number | "auto" | null>;
+  readonly troubled: ReadonlyMap<string, UnknownReason>;
+}
+
+function readParameters(machine: Machine, parameters: readonly CycleParameter[], index: number): Parameters {
+  const values = new Map<string, number | "auto" | null>();
+  const troubled = new Map<string, UnknownReason>();
+  for (const p of parameters) {
+    if (p.value === null || p.value === "max") values.set(p.q, null);
+    else if (p.value === "auto") values.set(p.q, "auto");
+    else {
+      const n = machine.number(p.value, index);
+      values.set(p.q, n);
+      if (n === null) troubled.set(p.q, machine.known.trouble);
+    }
+  }
+  return { values, troubled };
+}
+
+/**
+ * What a control fills into a list that software older than itself wrote. Told once for a program: its lists come from one machine.
+ */
+function fillIn(machine: Machine, cycle: Cycle, values: Map<string, number | "auto" | null>, index: number): void {
+  const filled: string[] = [];
+  for (const [q, { filledIn }] of Object.entries(cycle.params)) {
+    if (filledIn === null || values.has(q)) continue;
+    values.set(q, filledIn);
+    filled.push(`${q}=${filledIn}`);
+  }
+  if (filled.length > 0) machine.log.sayOnce(programIssue("listOfOlderSoftware", "info", { cycle: cycle.number, filled }), index);
+}
+
+/** A cycle that acts here: values that it can not have are told, ones that are not given are those of an older control. */
+function act(machine: Machine, cycle: Cycle, s: StatementOf<"cycle">, index: number): void {
+  const { issues } = cycleValues(machine, cycle, readParameters(machine, s.parameters, index).values);
+  const raw = machine.blocks[index]?.raw ?? "";
+  for (const i of issues) if (i.code !== "missing" && i.at !== undefined) machine.log.say(i, index, lineOfParameter(raw, i.at));
+}
+
+/** Takes up a definition; parameters are read now, as the control does, and stand in Q parameters of their number. */
+export function cycleDefinition(machine: Machine, index: number): void {
+  const s = machine.blocks[index]?.statement;
+  if (s?.kind !== "cycle") return;
+  const cycle = cycleByNumber(s.cycle);
+  // Whether one that bores is run shows where it is called.
+  const bores = machine.now.turning && isDrilling(s.cycle);
+  if (!cycle && !bores && !isSilent(s.cycle))
+    machine.log.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
+  // It may turn the tool round.
+  if (cycle?.acts) machine.set({ ways: new Map() });
+  if (cycle?.acts) act(machine, cycle, s, index);
+  if (actsAtOnce(s.cycle)) return actingCycle(machine, s.cycle, s.parameters, index);
+  const { values, troubled } = readParameters(machine, s.parameters, index);
+  if (cycle) fillIn(machine, cycle, values, index);
+  values.forEach((v, q) => typeof v === "number" && machine.known.set(q, v));
+  troubled.forEach((reason, q) => machine.known.forget(q, reason));
+  if (cycle || bores) machine.definitions.add(index);
+  if (cycle) foreignParameters(machine, cycle, s.parameters.map((p) => p.q), index);
+  machine.set({ callsBehindMoves: false, defined: { index, cycle: s.cycle, values, troubled: new Set(troubled.keys()) } });
+}

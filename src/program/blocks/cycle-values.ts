@@ -1,0 +1,55 @@
+import type { Cycle } from "../../cycles/define.ts";
+import type { Param, Params, Values } from "../../cycles/params.ts";
+import { issue, type Issue } from "../../kernel/plan/issue.ts";
+import { checkNumber, kept } from "../values/field.ts";
+import { INCH, roundedInch } from "../../kernel/units.ts";
+import type { Machine } from "../state/machine.ts";
+
+/** Decimals an inch program keeps beyond those of a millimetre program. */
+const INCH_DECIMALS = 1;
+/** Decimals of a value that was converted from inches, mm. */
+const CONVERTED_DECIMALS = 6;
+
+const NO_LENGTH: ReadonlySet<string> = new Set(["choice", "angle", "feed", "count", "factor", "percent", "revolutions"]);
+const isLength = (p: { readonly kind: string }) => !NO_LENGTH.has(p.kind);
+const hasInches = (p: { readonly kind: string }) => isLength(p) || p.kind === "feed";
+
+/** How many decimals an inch program keeps of a parameter. */
+export const decimalsInInches = (p: { readonly kind: string; readonly decimals: number }): number =>
+  hasInches(p) ? p.decimals + INCH_DECIMALS : p.decimals;
+
+/** A value of a parameter, mm, as a program writes it that may count in inches. */
+export const valueInProgram = (p: { readonly kind: string } | undefined, mm: number, inches: boolean): number =>
+  inches && p && isLength(p) ? roundedInch(mm / INCH) : mm;
+
+/** A number of the program in the unit of the parameter, rounded to what the control keeps of it before it is converted. */
+function inMillimetres(machine: Machine, p: Param, n: number): number {
+  if (!machine.now.inch) return kept(n, p.decimals);
+  if (!hasInches(p)) return kept(n, CONVERTED_DECIMALS);
+  const inches = kept(n, decimalsInInches(p));
+  return kept(p.kind === "feed" ? machine.feedOf(inches) : machine.length(inches), CONVERTED_DECIMALS);
+}
+
+/** One value of a definition, or what is wrong with it; a missing one that may be left out counts as 0. */
+function valueOf(machine: Machine, q: string, p: Param, given: number | "auto" | null): number | "auto" | Issue {
+  if (given === null) return p.optional ? 0 : issue("missing", "error", {}, q);
+  if (given === "auto") return p.kind === "feed" ? given : issue("notANumber", "error", { text: "FAUTO" }, q);
+  const value = inMillimetres(machine, p, given);
+  return checkNumber({ ...p, id: q }, value) ?? value;
+}
+
+/** Values of a cycle from its definition; null with issues when one is missing or can not be. */
+export function cycleValues<P extends Params>(
+  machine: Machine,
+  cycle: Cycle<P>,
+  given: ReadonlyMap<string, number | "auto" | null>,
+): { readonly values: Values<P> | null; readonly partial: Readonly<Record<string, number | "auto">>; readonly issues: readonly Issue[] } {
+  const values: Record<string, number | "auto"> = {};
+  const issues: Issue[] = [];
+  for (const [q, p] of Object.entries<Param>(cycle.params)) {
+    const value = valueOf(machine, q, p, given.get(q) ?? null);
+    if (typeof value === "object") issues.push(value);
+    else values[q] = value;
+  }
+  return { values: issues.length === 0 ? (values as Values<P>) : null, partial: values, issues };
+}

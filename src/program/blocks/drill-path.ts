@@ -1,0 +1,203 @@
+import { holeOf } from "../../kernel/cutter/drill.ts";
+import type { NeededHole } from "../../kernel/time/step.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { length } from "../../kernel/units.ts";
+
+/**
+ * What the drilling cycles do on their way down and back, mm. The lists of parameters and the order of the moves are
+ * recalled from the control (decision "Drilling on the axis"), not read on a printed page.
+ */
+export interface DrillMove {
+  /** Where the point goes. */
+  readonly to: number;
+  /** null: rapid. */
+  readonly feed: DrillFeed | null;
+  /** Seconds that the point rests at its end. */
+  readonly dwell?: number;
+}
+
+/** A feed by the parameter it stands in, or the pitch of a thread in one turn of the spindle. */
+export type DrillFeed = { readonly q: "Q206" | "Q208" | "Q253" } | { readonly pitch: number };
+
+/** Numbers of the definition by their Q; lengths mm. */
+export type Q = (name: string) => number;
+
+/** Where a bore begins and ends, and how far above the tool stops. */
+export interface Bore {
+  readonly surface: number;
+  readonly bottom: number;
+  readonly clear: number;
+  readonly away: number;
+}
+
+/** Parameters that a definition must have; all others have the value in which they change nothing. */
+export const DRILL_WORDS: ReadonlyMap<number, readonly string[]> = new Map([
+  [200, ["Q200", "Q201", "Q206", "Q202", "Q203"]],
+  [201, ["Q200", "Q201", "Q206", "Q203"]],
+  [202, ["Q200", "Q201", "Q206", "Q203"]],
+  [203, ["Q200", "Q201", "Q206", "Q202", "Q203"]],
+  [205, ["Q200", "Q201", "Q206", "Q202", "Q203"]],
+  [206, ["Q200", "Q201", "Q206", "Q203"]],
+  [207, ["Q200", "Q201", "Q239", "Q203"]],
+  [209, ["Q200", "Q201", "Q239", "Q203", "Q257"]],
+  [240, ["Q200", "Q206", "Q203"]],
+]);
+
+/** Infeeds of one bore; more nobody means. */
+const MOST_PECKS = 2000;
+
+/** Depths under the surface at which the tool turns back, the last one that of the bore; null when there are too many. */
+function pecks(whole: number, first: number, less: number, least: number): number[] | null {
+  const out: number[] = [];
+  let [depth, infeed] = [0, first > 0 ? first : whole];
+  while (depth + infeed < whole) {
+    depth += infeed;
+    out.push(depth);
+    if (out.length >= MOST_PECKS) return null;
+    const next = Math.max(infeed - less, Math.min(least, infeed));
+    if (next > 0) infeed = next;
+  }
+  return [...out, whole];
+}
+
+const DOWN: DrillFeed = { q: "Q206" };
+const BACK: DrillFeed = { q: "Q208" };
+
+/** The moves of a cycle from its set-up clearance on; null when its values make no bore. */
+export function drillPath(cycle: number, q: Q, bore: Bore): DrillMove[] | null {
+  const made = MOVES[cycle]?.(q, bore) ?? null;
+  if (!made) return null;
+  return [{ to: bore.clear, feed: null }, ...made, ...(bore.away > bore.clear ? [{ to: bore.away, feed: null }] : [])];
+}
+
+function downAndBack(q: Q, { bottom, clear }: Bore): DrillMove[] {
+  return [{ to: bottom, feed: DOWN, dwell: q("Q211") }, { to: clear, feed: BACK }];
+}
+
+/** Cycles that widen a hole, and what they take of it at most, as a share of the tool's radius and in mm: a reamer takes little. */
+const WIDENS: ReadonlyMap<number, { readonly share: number; readonly most: number }> = new Map([[201, { share: 0.5, most: 0.5 }], [202, {
+  share: 0.5,
+  most: Infinity,
+}]]);
+
+/** The hole that a cycle needs before it runs; null where it makes one. */
+export function holeBefore(cycle: number, tool: Tool, q: Q): NeededHole | null {
+  if (q("Q239") !== 0) return holeOf(tool, Math.abs(q("Q239")));
+  const widened = WIDENS.get(cycle);
+  const r = tool.R ?? 0;
+  if (!widened) return null;
+  const radius = length(Math.max(r * (1 - widened.share), r - widened.most));
+  return { radius, drill: radius };
+}
+
+const MOVES: Readonly<Record<number, (q: Q, bore: Bore) => DrillMove[] | null>> = {
+  200: (q, bore) => pecking(q, bore, { infeeds: [q("Q202"), 0, 0], back: null, rest: q("Q210"), ahead: () => q("Q200") }),
+  201: downAndBack,
+  // The step off the wall at the bottom (Q214, Q336) is within the bore.
+  202: downAndBack,
+  203: (q, bore) =>
+    pecking(q, bore, {
+      infeeds: [q("Q202"), q("Q212"), q("Q205")],
+      back: BACK,
+      rest: q("Q210"),
+      ahead: () => q("Q200"),
+      breaks: { count: q("Q213"), by: q("Q256") },
+    }),
+  205: deep,
+  206: (q, { bottom, clear }) => [{ to: bottom, feed: DOWN, dwell: q("Q211") }, { to: clear, feed: DOWN }],
+  207: (q, { bottom, clear }) => {
+    const feed = { pitch: Math.abs(q("Q239")) };
+    return feed.pitch > 0 ? [{ to: bottom, feed }, { to: clear, feed }] : null;
+  },
+  209: chipBreakingTap,
+  240: (q, { bottom, clear }) => [{ to: bottom, feed: DOWN, dwell: q("Q211") }, { to: clear, feed: null }],
+};
+
+interface Pecking {
+  /** First infeed, what each is less than the one before, and the least. */
+  readonly infeeds: readonly [first: number, less: number, least: number];
+  /** Feed of the way out; null: rapid. */
+  readonly back: DrillFeed | null;
+  /** Seconds outside between two infeeds. */
+  readonly rest: number;
+  /** How far above the last depth the rapid down ends. */
+  readonly ahead: (depth: number, whole: number) => number;
+  /** Chips that are broken inside before the tool comes out. */
+  readonly breaks?: { readonly count: number; readonly by: number };
+}
+
+/** Infeed by infeed, out of the bore between two of them or back by a little to break the chip. */
+function pecking(q: Q, { surface, bottom, clear }: Bore, p: Pecking): DrillMove[] | null {
+  const whole = surface - bottom;
+  const depths = pecks(whole, ...p.infeeds);
+  if (!depths) return null;
+  let broken = 0;
+  return depths.flatMap((depth, i): DrillMove[] => {
+    const last = i === depths.length - 1;
+    const at = last ? bottom : surface - depth;
+    const down: DrillMove = { to: at, feed: DOWN, ...(last && { dwell: q("Q211") }) };
+    if (last) return [down, { to: clear, feed: p.back }];
+    if (p.breaks && p.breaks.by > 0 && broken < p.breaks.count) {
+      broken += 1;
+      return [down, { to: Math.min(clear, at + p.breaks.by), feed: null }];
+    }
+    broken = 0;
+    const again = Math.min(clear, at + p.ahead(depth, whole));
+    return [down, { to: clear, feed: p.back, dwell: p.rest }, { to: again, feed: null }];
+  });
+}
+
+/** 205: a start that lies deeper, chips broken on the way, and a stop above the last depth that grows with the depth. */
+function deep(q: Q, bore: Bore): DrillMove[] | null {
+  const below = Math.abs(q("Q379"));
+  const start = bore.surface - below;
+  const [near, far] = [q("Q258"), q("Q259")];
+  const inner: Bore = { ...bore, surface: start };
+  if (start <= bore.bottom) return null;
+  const made = pecking(q, inner, {
+    infeeds: [q("Q202"), q("Q212"), q("Q205")],
+    back: null,
+    rest: 0,
+    ahead: (depth, whole) => near + ((far - near) * depth) / whole,
+  });
+  const broken = made && chipsBroken(made, { every: q("Q257"), by: q("Q256"), from: start });
+  if (!broken) return null;
+  const way: DrillMove[] = below > 0 ? [{ to: Math.min(bore.clear, start + q("Q200")), feed: { q: "Q253" } }] : [];
+  return [...way, ...broken.slice(0, -1), { to: bore.clear, feed: BACK }];
+}
+
+/** Every cut divided where a chip is broken. */
+function chipsBroken(
+  moves: readonly DrillMove[],
+  { every, by, from }: { readonly every: number; readonly by: number; readonly from: number },
+): DrillMove[] | null {
+  if (!(every > 0) || !(by > 0)) return [...moves];
+  const out: DrillMove[] = [];
+  let deepest = from;
+  for (const m of moves) {
+    if (m.feed && m.to < deepest) {
+      const steps = Math.ceil((deepest - m.to) / every) - 1;
+      if (!(out.length + steps < 2 * MOST_PECKS)) return null;
+      for (let i = 1; i <= steps; i += 1) {
+        const at = deepest - i * every;
+        out.push({ to: at, feed: m.feed }, { to: at + by, feed: null });
+      }
+      deepest = m.to;
+    }
+    out.push(m);
+  }
+  return out;
+}
+
+/** 209: a tap that goes back to break the chip, by so many pitches or all the way. */
+function chipBreakingTap(q: Q, { surface, bottom, clear }: Bore): DrillMove[] | null {
+  const feed = { pitch: Math.abs(q("Q239")) };
+  const depths = pecks(surface - bottom, q("Q257"), 0, 0);
+  if (!depths || !(feed.pitch > 0)) return null;
+  const by = q("Q256") * feed.pitch;
+  return depths.flatMap((depth, i) => {
+    const at = i === depths.length - 1 ? bottom : surface - depth;
+    const back = i === depths.length - 1 || !(by > 0) ? clear : Math.min(clear, at + by);
+    return [{ to: at, feed }, { to: back, feed }];
+  });
+}

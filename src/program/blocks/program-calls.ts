@@ -1,0 +1,46 @@
+import { writtenFile } from "./assign.ts";
+import type { StatementOf } from "../../nc/statement.ts";
+import { programIssue } from "../state/issue.ts";
+import type { Machine } from "../state/machine.ts";
+import { nameInCycle } from "../state/program-files.ts";
+
+/** The older cycle that names a program, which a cycle call then runs. */
+export const PROGRAM_CYCLE = 12;
+
+/** Nobody knows what the called program does: not where it leaves the tool, and not what it cuts. */
+function lost(machine: Machine, what: string, index: number): void {
+  machine.loseAll();
+  machine.log.leaveUnproved(what, index);
+}
+
+/** Runs the program of a name next, or says that it is not at hand. */
+export function callNamed(machine: Machine, name: string | null, what: string, index: number): void {
+  if (name === null) return lost(machine, what, index);
+  const unit = machine.unitOfFile(name, index);
+  if (unit) machine.next = unit;
+  else {
+    machine.log.say(programIssue("programNotOpened", "info", { file: name }), index);
+    lost(machine, what, index);
+  }
+}
+
+export const callProgram = (machine: Machine, s: StatementOf<"callProgram">, index: number): void =>
+  callNamed(machine, writtenFile(machine, s.file, index), "CALL PGM", index);
+
+/** SEL PGM: the name counts from here on, also one that nobody knows. */
+export const selectProgram = (machine: Machine, s: StatementOf<"selectProgram">, index: number): void =>
+  machine.set({ selectedProgram: { name: writtenFile(machine, s.file, index) } });
+
+export function callSelected(machine: Machine, index: number): void {
+  const selected = machine.now.selectedProgram;
+  if (selected) callNamed(machine, selected.name, "CALL SELECTED PGM", index);
+  else machine.log.say(programIssue("programNotSelected", "error", {}), index);
+}
+
+/** The second line of cycle 12 names the program. */
+export function programCycle(machine: Machine, { line, text }: StatementOf<"cycleLine">, index: number): void {
+  if (line !== 1) return;
+  const name = nameInCycle(text);
+  const program = /^QS\d{1,4}$/i.test(name) ? machine.text(name.toUpperCase(), index) : name;
+  machine.set({ callsBehindMoves: false, defined: { index, cycle: PROGRAM_CYCLE, values: new Map(), troubled: new Set(), program } });
+}

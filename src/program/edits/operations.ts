@@ -1,0 +1,269 @@
+import { cycleByNumber } from "../../cycles/index.ts";
+import type { Block, Program } from "../../nc/program.ts";
+import type { Label, Parameter, Statement } from "../../nc/statement.ts";
+import { CONTOUR_CYCLE } from "../state/contour-names.ts";
+import { wordsOf } from "../blocks/flow.ts";
+import { actsAtOnce, isSilent } from "../blocks/unproved-blocks.ts";
+
+/** Blocks from `from` to the one before `to`. */
+export interface BlockRange {
+  readonly from: number;
+  readonly to: number;
+}
+
+/** Why an operation has to stay where it is: a label that is jumped to or called, or coordinates that are shifted or turned. */
+export type Tie = "label" | "frame" | "tool";
+
+/** One operation: a cycle with its calls, or what is cut without one, and the tool that it runs with. */
+export interface OperationPart extends BlockRange {
+  /** Its section in `Operations.sections`. */
+  readonly section: number;
+  /** Words of its structure comment; null where it has none of its own. */
+  readonly title: string | null;
+  /** Blocks that define its cycles; several where they cannot be told apart. */
+  readonly definitions: readonly number[];
+  /** Block of the tool call in force; null where none is. */
+  readonly toolCall: number | null;
+  /** The tool is called by an operation before it. */
+  readonly inherits: boolean;
+  /** Why it can not be moved, doubled, switched off or deleted. */
+  readonly tie: Tie | null;
+}
+
+/** Operations with one tool: what begins them together, each of them, and the way back that ends them. */
+export interface ToolSection extends BlockRange {
+  readonly opening: BlockRange;
+  readonly closing: BlockRange;
+  /** Indices in `Operations.units`. */
+  readonly units: readonly number[];
+}
+
+/** A program as its operations. What stands before and behind them is frame, blank, end and subprograms. */
+export interface Operations extends BlockRange {
+  readonly sections: readonly ToolSection[];
+  readonly units: readonly OperationPart[];
+}
+
+const ENDS: readonly number[] = [2, 30];
+const CALLS: readonly number[] = [89, 99];
+const FEED_UNITS: readonly number[] = [136, 137];
+
+/** M functions that stay on, the spindle and the coolant: what switches each on and off. A tool change ends both. */
+export const KEPT_ON: readonly { readonly on: readonly number[]; readonly off: readonly number[] }[] = [{
+  on: [3, 4, 13, 14, 303, 304],
+  off: [5, 305],
+}, { on: [7, 8, 13, 14], off: [9] }];
+
+const functionsOf = (s: Statement): readonly number[] => wordsOf(s)?.functions ?? [];
+export const endsMain = (s: Statement): boolean => s.kind === "end" || functionsOf(s).some((m) => ENDS.includes(m));
+
+/** True for what calls the cycle that is defined, or runs something else in its place. */
+export const callsCycle = (s: Statement): boolean =>
+  s.kind === "cycleCall" || s.kind === "call" || s.kind === "callProgram" || s.kind === "callSelected"
+  || functionsOf(s).some((m) => CALLS.includes(m));
+
+/** A cycle that waits for its call. */
+export const definesCycle = (s: Statement): boolean =>
+  (s.kind === "cycle" && !actsAtOnce(s.cycle)) || (s.kind === "cycleLine" && s.line === 0 && !actsAtOnce(s.cycle));
+
+const callsTool = (s: Statement): boolean => s.kind === "toolCall" && s.tool !== null;
+
+const changesFrame = (s: Statement): boolean => {
+  if (s.kind === "cycle" || s.kind === "cycleLine")
+    return s.cycle !== CONTOUR_CYCLE && actsAtOnce(s.cycle) && (s.cycle === PRESET || !isSilent(s.cycle));
+  return s.kind === "datum" || s.kind === "datumTable" || s.kind === "mirror" || s.kind === "rotation" || s.kind === "scale"
+    || s.kind === "plane";
+};
+const PRESET = 247;
+
+const isNote = (s: Statement): boolean => s.kind === "structure" || s.kind === "comment" || s.kind === "empty";
+export const setsFeedUnit = (s: Statement): boolean => s.kind === "functions" && functionsOf(s).every((m) => FEED_UNITS.includes(m));
+const isFrame = (s: Statement): boolean =>
+  s.kind === "begin" || s.kind === "blankBox" || s.kind === "blankCylinder" || s.kind === "blankRotation" || s.kind === "blankFile"
+  || s.kind === "turnBlank" || s.kind === "mode";
+const isRapid = (s: Statement): boolean =>
+  (s.kind === "path" && s.words.feed === "max" && !callsCycle(s)) || (s.kind === "functions" && s.words.retract !== undefined);
+/** A block that only names what the next cycle is run with. */
+const namesContour = (s: Statement): boolean =>
+  (s.kind === "cycleLine" && s.cycle === CONTOUR_CYCLE) || s.kind === "selectContour" || s.kind === "contourDefinition"
+  || s.kind === "declareContour" || s.kind === "contourFormula";
+const switchesOn = (s: Statement): boolean =>
+  s.kind === "functions" && s.words.functions.every((m) => KEPT_ON.some(({ on }) => on.includes(m)));
+const preparesCycle = (s: Statement): boolean =>
+  isNote(s) || switchesOn(s) || namesContour(s) || s.kind === "assign" || s.kind === "assignText" || s.kind === "spin" || setsFeedUnit(s)
+  || (s.kind === "toolCall" && s.tool === null) || changesFrame(s);
+/** What may stand between a tool call and the first cut. */
+const preparesTool = (s: Statement): boolean =>
+  isNote(s) || callsTool(s) || s.kind === "toolCall" || s.kind === "toolDefinition" || s.kind === "spin" || s.kind === "turnCorrection"
+  || s.kind === "mode" || s.kind === "turnBlank" || s.kind === "assign" || s.kind === "assignText" || isRapid(s)
+  || (s.kind === "functions" && !callsCycle(s));
+/** What may stand before the tool call that begins a section. */
+const leadsTool = (s: Statement): boolean =>
+  isNote(s) || s.kind === "toolDefinition" || s.kind === "spin" || s.kind === "mode" || setsFeedUnit(s);
+const leaves = (s: Statement): boolean => isRapid(s) || isNote(s) || s.kind === "stop" || (s.kind === "functions" && !callsCycle(s));
+
+/** Index behind the blocks before `at`, not before `least`, that all are of a kind. */
+function backOver(blocks: readonly Block[], at: number, least: number, is: (s: Statement) => boolean): number {
+  let from = at;
+  while (from > least && is(blocks[from - 1]?.statement ?? { kind: "end", name: "", unit: "MM" })) from -= 1;
+  return from;
+}
+
+/** Where the main program ends: at M30, or where neither M30 nor M2 stands at the first label behind all calls, or at END PGM. */
+function endOfMain(blocks: readonly Block[]): number {
+  const found = blocks.findIndex(({ statement: s, skip }) => endsMain(s) && !skip);
+  if (found >= 0 && blocks[found]?.statement.kind !== "end") return found;
+  const end = found < 0 ? blocks.length : found;
+  const last = blocks.findLastIndex(({ statement: s }, i) => i < end && (callsCycle(s) || callsTool(s)));
+  const label = blocks.findIndex(({ statement: s }, i) => i > last && i < end && s.kind === "label");
+  return label < 0 ? end : label;
+}
+
+const titleIn = (blocks: readonly Block[], { from, to }: BlockRange): string | null => {
+  const found = blocks.slice(from, to).find(({ statement: s }) => s.kind === "structure")?.statement;
+  return found?.kind === "structure" && found.text.trim() !== "" ? found.text.trim() : null;
+};
+
+type Cuts = { readonly opening: BlockRange; readonly closing: BlockRange; readonly parts: readonly BlockRange[] };
+
+/** The parts of a section that may stand alone, with what begins and ends them together. */
+function partsOf(blocks: readonly Block[], { from, to }: BlockRange): Cuts {
+  const at = (i: number): Statement => blocks[i]?.statement ?? { kind: "empty" };
+  const definitions: number[] = [];
+  for (let i = from; i < to; i += 1) if (definesCycle(at(i))) definitions.push(i);
+  let ready = from;
+  while (ready < to && preparesTool(at(ready))) ready += 1;
+  const lastCall = blocks.slice(from, to).findLastIndex(({ statement: s }) => !leaves(s)) + from;
+  const closing = { from: Math.max(lastCall + 1, ready), to };
+  const callFrom = (definition: number) => {
+    for (let i = definition + 1; i < to && !definesCycle(at(i)); i += 1) if (callsCycle(at(i))) return i;
+    return -1;
+  };
+  const begins = definitions.map((definition, k) => {
+    const before = definitions[k - 1];
+    const least = before === undefined ? from : Math.max(before + 1, lastCallIn(at, before, definition) + 1);
+    const call = callFrom(definition);
+    const until = call < 0 ? Math.min(definitions[k + 1] ?? to, closing.from) : call + 1;
+    const comes = blocks.slice(definition, until).some(({ statement: s }) => s.kind === "path");
+    const prelude = backOver(blocks, definition, least, preparesCycle);
+    return comes ? prelude : backOver(blocks, prelude, least, (s) => preparesCycle(s) || isRapid(s));
+  });
+  const tool = blocks.slice(from, to).findIndex(({ statement: s }) => callsTool(s)) + from;
+  // The words that begin the tool belong to it; a structure comment behind the tool call begins the cut.
+  const least = Math.max(tool + 1, from);
+  const note = blocks.slice(least, ready).findIndex(({ statement: s }) => s.kind === "structure") + least;
+  const first = Math.min(Math.max(begins[0] ?? ready, firstOwn(blocks, least)), note >= least ? note : Infinity);
+  const starts = [Math.max(first, callsTool(at(tool)) ? least : from), ...begins.slice(1)];
+  const clean = starts.every((start, k) => start <= (definitions[k] ?? closing.from)) && closing.from >= (starts.at(-1) ?? from);
+  const opens = { from, to: starts[0] ?? from };
+  const isClean = clean && definitions.length > 0 && blocks.slice(opens.from, opens.to).every(({ statement: s }) => preparesTool(s));
+  if (!isClean) return { opening: { from, to: from }, closing: { from: to, to }, parts: [{ from, to }] };
+  const parts = starts.map((start, k) => ({ from: start, to: starts[k + 1] ?? closing.from }));
+  return { opening: opens, closing, parts };
+}
+
+/** Behind the tool call, its spindle and its feed unit: before them nothing of a cut begins. */
+function firstOwn(blocks: readonly Block[], from: number): number {
+  let own = from;
+  for (let i = from; i < blocks.length; i += 1) {
+    const s = blocks[i]?.statement;
+    if (!s || !(s.kind === "spin" || setsFeedUnit(s) || s.kind === "mode" || s.kind === "turnCorrection" || s.kind === "comment")) break;
+    if (s.kind !== "comment") own = i + 1;
+  }
+  return own;
+}
+
+function lastCallIn(at: (i: number) => Statement, from: number, to: number): number {
+  for (let i = to - 1; i > from; i -= 1) if (callsCycle(at(i)) || (at(i).kind === "path" && !isRapid(at(i)))) return i;
+  return from;
+}
+
+/** Stretches of the main program between a label and what calls or jumps to it: what stands there stays. */
+function tiedStretches(blocks: readonly Block[], end: number): readonly BlockRange[] {
+  const labels = new Map<Label, number>();
+  blocks.forEach(({ statement: s }, i) => {
+    if (i < end && s.kind === "label" && s.label !== 0 && !labels.has(s.label)) labels.set(s.label, i);
+  });
+  const tied: BlockRange[] = [...labels.values()].map((i) => ({ from: i, to: i + 1 }));
+  const ofUnknown = (label: Label | Parameter) => typeof label === "object" && labels.size > 0;
+  blocks.forEach(({ statement: s }, i) => {
+    if (i >= end || (s.kind !== "call" && s.kind !== "jump")) return;
+    const target = typeof s.label === "object" ? undefined : labels.get(s.label);
+    if (s.kind === "jump" || ofUnknown(s.label)) tied.push({ from: i, to: i + 1 });
+    if (target !== undefined) tied.push({ from: Math.min(i, target), to: Math.max(i, target) + 1 });
+  });
+  return tied;
+}
+
+function tieFor({ hasLabel, framed, toolless }: { readonly hasLabel: boolean; readonly framed: boolean; readonly toolless: boolean }) {
+  if (hasLabel) return "label";
+  if (framed) return "frame";
+  return toolless ? "tool" : null;
+}
+
+/** A program as its operations: from the tool call, or its structure comment, to the way back, one for each cycle. */
+export function operationsOf({ blocks }: Program): Operations {
+  const end = endOfMain(blocks);
+  const tools: number[] = [];
+  const at = (i: number): Statement => blocks[i]?.statement ?? { kind: "empty" };
+  for (let i = 0; i < end; i += 1) if (callsTool(at(i))) tools.push(i);
+  const firstCut = blocks.findIndex(({ statement: s }, i) => i < end && (definesCycle(s) || callsCycle(s)));
+  const frame =
+    blocks.slice(0, end).findLastIndex(({ statement: s }, i) => isFrame(s) && i < Math.min(...tools, firstCut < 0 ? end : firstCut)) + 1;
+  const toolStarts = tools.map((tool, k) => backOver(blocks, tool, k === 0 ? frame : (tools[k - 1] ?? 0) + 1, leadsTool));
+  const [firstTool = Infinity] = toolStarts;
+  const headless = firstCut >= 0 && firstCut < firstTool;
+  const starts = [...(headless ? [frame] : []), ...toolStarts];
+  const tied = tiedStretches(blocks, end);
+  const isTied = ({ from, to }: BlockRange) => tied.some((each) => each.from < to && each.to > from);
+  const units: OperationPart[] = [];
+  const sections = starts.map((from, section): ToolSection => {
+    const whole = { from, to: starts[section + 1] ?? end };
+    const hasLabel = isTied(whole);
+    const cuts = hasLabel
+      ? { opening: { from, to: from }, closing: { from: whole.to, to: whole.to }, parts: [whole] }
+      : partsOf(blocks, whole);
+    const own = cuts.parts.map((part, k): OperationPart => {
+      const inside = blocks.slice(part.from, part.to);
+      const toolCall = blocks.slice(0, part.to).findLastIndex(({ statement: s }) => callsTool(s));
+      const framed = blocks.slice(k === 0 ? from : part.from, k === cuts.parts.length - 1 ? whole.to : part.to).some(({ statement: s }) =>
+        changesFrame(s)
+      );
+      const title = (k === 0 ? titleIn(blocks, cuts.opening) : null) ?? titleIn(blocks, part);
+      return {
+        ...part,
+        section,
+        title,
+        definitions: inside.flatMap(({ statement: s }, i) => (definesCycle(s) ? [part.from + i] : [])),
+        toolCall: toolCall < 0 ? null : toolCall,
+        inherits: k > 0 || toolCall < from,
+        tie: tieFor({ hasLabel, framed, toolless: toolCall < 0 }),
+      };
+    });
+    const first = units.length;
+    units.push(...own);
+    return { ...whole, opening: cuts.opening, closing: cuts.closing, units: own.map((_, k) => first + k) };
+  });
+  return { from: starts[0] ?? end, to: end, sections, units };
+}
+
+/** All blocks of an operation: with those that begin and end it where it shares them with no other. */
+export function wholeOf({ sections, units }: Operations, unit: number): BlockRange {
+  const own = units[unit];
+  const section = own && sections[own.section];
+  if (!own || !section) return { from: 0, to: 0 };
+  const isFirst = section.units[0] === unit;
+  const isLast = section.units.at(-1) === unit;
+  return { from: isFirst ? section.from : own.from, to: isLast ? section.to : own.to };
+}
+
+/** True for an operation whose cycles and calls all stand behind a skip mark. */
+export function isOff({ blocks }: Program, { from, to }: BlockRange): boolean {
+  const acting = blocks.slice(from, to).filter(({ statement: s }) => definesCycle(s) || callsCycle(s));
+  const all = acting.length > 0 ? acting : blocks.slice(from, to).filter(({ statement: s }) => s.kind === "path" || s.kind === "approach");
+  return all.length > 0 && all.every(({ skip }) => skip);
+}
+
+/** True where a cycle takes its contour from a subprogram. */
+export const isOfFreeContour = (s: Statement): boolean => s.kind === "cycle" && cycleByNumber(s.cycle)?.contour === "free";
+export { isNote, namesContour };

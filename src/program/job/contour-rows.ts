@@ -1,0 +1,165 @@
+import { contourFrom, type Contour, type ContourElement } from "../../kernel/contour/contour.ts";
+import type { Issue } from "../../kernel/plan/issue.ts";
+import { part, type Pt } from "../../kernel/geometry/point.ts";
+import { solveContour, type SolvedElement } from "../../kernel/solve/solve-contour.ts";
+import type { SolveElement } from "../../kernel/solve/solve-work.ts";
+import { toDiameter } from "../../kernel/units.ts";
+import type { ContourRow } from "./job.ts";
+import { rowGiven, type RowGiven } from "./row-given.ts";
+import { begun, type RowField, type RowIssue, type RowReader } from "./row-reader.ts";
+import { ROUND } from "../../kernel/tolerance.ts";
+
+export type { RowField, RowIssue } from "./row-reader.ts";
+
+/** What one row means. X values are diameters, mm. */
+export interface RowReading {
+  /** Where the element ends; null while that is unknown, and for corners and centres. */
+  readonly end: { readonly x: number; readonly z: number } | null;
+  /** Where it would end in a coordinate that is left out. */
+  readonly inherited: { readonly x: number | null; readonly z: number | null };
+  /** Coordinates that are not typed but follow from the other values. */
+  readonly sought: { readonly x: boolean; readonly z: boolean };
+  /** Angle to +Z and length of a line, radius and turn of an arc, whether typed or found; null while not known. */
+  readonly angle: number | null;
+  readonly length: number | null;
+  readonly radius: number | null;
+  readonly turn: "cw" | "ccw" | null;
+  /** The pole, or the centre of an arc, that is in force. */
+  readonly pole: Pt | null;
+  /** How many values are still missing. */
+  readonly freedom: number;
+  /** How many solutions there are to choose from. */
+  readonly choices: number;
+}
+
+/** A contour table read: its geometry with as much as can be drawn, and what is wrong where. */
+export interface RowsReading {
+  readonly rows: readonly RowReading[];
+  readonly contour: Contour;
+  /** Index of the row that made each segment of the contour. */
+  readonly rowOfSegment: readonly number[];
+  readonly issues: readonly RowIssue[];
+}
+
+/** The element a finding of the contour names, counted from 1. */
+const elementOf = (found: Issue): number | null => ("element" in found.data ? found.data.element : null);
+
+/** The field of a row to which a finding belongs. */
+function fieldOf(found: Issue): RowField | null {
+  if (found.code === "arcTooSmall" || found.code === "cornerElementTooLong") return "r";
+  if (found.code !== "elementContradicts" || found.data.quantity === "tangent") return null;
+  return found.data.quantity === "radius" ? "r" : found.data.quantity;
+}
+
+const known = new WeakMap<readonly ContourRow[], RowsReading>();
+
+/** Reads the contour table, once per state of it; coordinates that are not typed are solved where the others allow it. */
+export function readRows(rows: readonly ContourRow[]): RowsReading {
+  const read = known.get(rows) ?? readAnew(rows);
+  known.set(rows, read);
+  return read;
+}
+
+function readAnew(rows: readonly ContourRow[]): RowsReading {
+  const reader: RowReader = { x: null, z: null, pole: null, issues: [] };
+  const poles: (Pt | null)[] = [];
+  const given = rows.map((row, i) => {
+    const read = rowGiven(reader, row, i);
+    poles.push(reader.pole);
+    return read;
+  });
+  const asked = given.flatMap((g, row) => (g.kind === "element" ? [{ element: g.element, row }] : []));
+  const solution = solveContour(asked.map(({ element }) => element));
+  const solved = new Map(asked.map(({ row }, i) => [row, solution.elements[i]]));
+  const kept = rows.flatMap((_, row) => {
+    const e = contourElement(given[row], solved.get(row));
+    return e ? [{ e, row }] : [];
+  });
+  const contour = contourFrom(kept.map(({ e }) => e));
+  const rowOf = (n: number | null) => (n === null ? null : (kept[n - 1]?.row ?? null));
+  const typed = new Set(reader.issues.map((found) => found.row));
+  const found = [
+    ...solution.issues.map((i) => ({ i, row: asked[(elementOf(i) ?? 0) - 1]?.row ?? null })),
+    ...contour.issues.map((i) => ({ i, row: rowOf(elementOf(i)) })),
+  ].flatMap(
+    ({ i, row }): RowIssue[] => (row === null || typed.has(row) ? [] : [{ row, field: fieldOf(i), issue: numbered(i, row, rowOf) }])
+  );
+  return {
+    rows: readings(given, poles, solved),
+    contour,
+    rowOfSegment: contour.elements.map((n) => rowOf(n) ?? 0),
+    issues: [...reader.issues, ...found].map((each) => (begun(rows[each.row]) ? each : calm(each))).sort((a, b) => a.row - b.row),
+  };
+}
+
+/** A row in which nothing is typed yet is not wrong, only not begun. */
+const calm = (found: RowIssue): RowIssue =>
+  found.issue.code === "missing" ? { ...found, issue: { ...found.issue, severity: "info" } as RowIssue["issue"] } : found;
+
+/** The finding with the numbers of rows, where rows before it make no element. */
+function numbered(found: Issue, row: number, rowOf: (n: number) => number | null): Issue {
+  const other = "other" in found.data && typeof found.data.other === "number" ? { other: (rowOf(found.data.other) ?? 0) + 1 } : {};
+  return { ...found, data: { ...found.data, element: row + 1, ...other } } as Issue;
+}
+
+const pointOf = (s: SolvedElement | undefined): Pt | null => (s && s.z !== null && s.r !== null ? { z: s.z, r: s.r } : null);
+
+/** Radius as CR writes it: negative where the arc takes the longer way. */
+function signedRadius(s: SolvedElement | undefined): number | null {
+  const arc = s?.segment;
+  if (arc?.kind !== "arc") return null;
+  const size = Math.hypot(arc.from.z - arc.centre.z, arc.from.r - arc.centre.r);
+  return part.sweepOf(arc) > Math.PI + ROUND ? -size : size;
+}
+
+/** The element with every coordinate filled in; null while its end is not known. */
+function contourElement(given: RowGiven | undefined, solved: SolvedElement | undefined): ContourElement | null {
+  if (given?.kind === "corner") return given.corner;
+  if (given?.kind === "recess") return given.recess;
+  const to = pointOf(solved);
+  if (given?.kind !== "element" || !to) return null;
+  const e: SolveElement = given.element;
+  if (e.kind === "line") return { kind: "line", to };
+  if (e.centre) return { kind: "centre", to, centre: e.centre, turn: e.turn ?? "ccw" };
+  if (e.radius !== null) return { kind: "radius", to, radius: e.radius, turn: e.turn ?? "ccw" };
+  const arc = solved?.segment, radius = signedRadius(solved);
+  if (e.turn === null) return { kind: "tangent", to };
+  return arc?.kind === "arc" && radius !== null ? { kind: "radius", to, radius, turn: arc.turn } : { kind: "line", to };
+}
+
+function readings(
+  given: readonly RowGiven[],
+  poles: readonly (Pt | null)[],
+  solved: ReadonlyMap<number, SolvedElement | undefined>,
+): RowReading[] {
+  let [x, z]: (number | null)[] = [null, null];
+  return given.map((g, i): RowReading => {
+    const inherited = { x: x ?? null, z: z ?? null }, pole = poles[i] ?? null, s = solved.get(i), at = pointOf(s);
+    if (g.kind !== "element" || !s)
+      return {
+        end: null,
+        inherited,
+        pole,
+        sought: { x: false, z: false },
+        angle: null,
+        length: null,
+        radius: null,
+        turn: null,
+        freedom: 0,
+        choices: 1,
+      };
+    [x, z] = [s.r === null ? null : toDiameter(s.r), s.z];
+    return {
+      end: at && { x: toDiameter(at.r), z: at.z },
+      inherited,
+      pole,
+      sought: g.sought,
+      angle: s.angle,
+      length: s.length,
+      radius: signedRadius(s),
+      turn: s.segment?.kind === "arc" ? s.segment.turn : null,
+      freedom: s.freedom,
+      choices: s.choices,
+    };
+  });
+}

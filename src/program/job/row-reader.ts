@@ -1,0 +1,45 @@
+import { issue, type Issue } from "../../kernel/plan/issue.ts";
+import type { Pt } from "../../kernel/geometry/point.ts";
+import { anyNumber, readText, type Field } from "../values/field.ts";
+import type { ProgramIssue } from "../state/issue.ts";
+import type { ContourRow } from "./job.ts";
+
+/** A field of a contour row. */
+export type RowField = "x" | "z" | "r" | "angle" | "length" | "PR" | "PA";
+
+/** A finding with its place in the table; `field` is null where it belongs to the whole element. */
+export interface RowIssue {
+  readonly row: number;
+  readonly field: RowField | null;
+  readonly issue: Issue | ProgramIssue;
+}
+
+/** What the rows give, read one after the other: numbers, and what is wrong with their text. */
+export interface RowReader {
+  /** Where the last row stands as far as typed coordinates alone say; X as diameter. "sought" where solving has to say. */
+  x: number | "sought" | null;
+  z: number | "sought" | null;
+  pole: Pt | null;
+  readonly issues: RowIssue[];
+}
+
+/** The findings of a row stand at the contour; row and field say where in its table. */
+export const ANY: Field = { ...anyNumber, id: "contour" };
+export const NEEDED: Field = { ...ANY, optional: false };
+
+/** A number typed into a row; says what is wrong with it. */
+export function rowNumber(reader: RowReader, row: number, at: RowField | null, typed: string, field: Field): number | null {
+  const { value, issue: found } = readText(field, typed);
+  if (found) reader.issues.push({ row, field: at, issue: found });
+  return value;
+}
+
+/** Whether anything is typed in a row. */
+export const begun = (row: ContourRow | undefined): boolean =>
+  row !== undefined && [row.x, row.z, row.r, row.angle, row.length, ...Object.values(row.words)].some((text) => text.trim() !== "");
+
+/** Says that an element goes nowhere. A row in which nothing is typed yet is not wrong, only not begun: it has no block either. */
+export function goesNowhere(reader: RowReader, row: ContourRow, index: number): void {
+  const found = issue("contourPoint", begun(row) ? "error" : "info", { element: index + 1 }, "contour");
+  reader.issues.push({ row: index, field: null, issue: found });
+}

@@ -1,0 +1,184 @@
+import { cycleByNumber } from "../../cycles/index.ts";
+import { likelyWork, type KnownSoFar, type LikelyWork } from "../values/likely.ts";
+import type { Cycle, Given } from "../../cycles/define.ts";
+import type { Params, Values } from "../../cycles/params.ts";
+import { beginsAtTip } from "../../cycles/wanted.ts";
+import { at, type Pt } from "../../kernel/geometry/point.ts";
+import { METRIC } from "../../kernel/contour/metric-thread.ts";
+import type { Tool } from "../../kernel/plan/tool.ts";
+import { diameter, radius, rounded, toDiameter, toRadius } from "../../kernel/units.ts";
+import { checkTool } from "../tools/check-tool.ts";
+import { readRows } from "./contour-rows.ts";
+import { readText, type Field } from "../values/field.ts";
+import { knownParameters } from "./job-parameters.ts";
+import type { BlankDraft, Job, SetJob } from "./job.ts";
+import { readDraft } from "./read-draft.ts";
+import { SETUP_FIELDS as FIELDS } from "./setup-fields.ts";
+import { positionAsTyped } from "../values/typed-value.ts";
+import { fitOf, isUsualTool, usualFirst } from "../tools/which-tool.ts";
+
+/** What of the set-up is proposed until somebody sets it. */
+export type SetupPlace = "tool" | "blank.outside" | "blank.bore" | "blank.length" | "blank.allowance" | "start.x" | "start.z";
+
+/** The set-up that a work runs with: what was set, and what is proposed for the rest. */
+export interface Setup {
+  readonly tool: number;
+  readonly blank: BlankDraft;
+  readonly start: { readonly x: string; readonly z: string };
+  /** Places that nobody has set. */
+  readonly proposed: ReadonlySet<SetupPlace>;
+  /** The work that the typed values describe; null of a cycle that is not known. */
+  readonly work: LikelyWork | null;
+  /** What would be proposed for blank and start if nobody had set them, the others being as they are. */
+  readonly proposal: Pick<SetJob, "blank" | "start">;
+}
+
+/** Material round a shape, mm: beside a bore or a groove in a face, on a cylinder that is turned, and behind it for the chuck. */
+const ROUND_IT = 10;
+const ON_CYLINDER = 2;
+const BEHIND = 30;
+/** What stays between the tip at the call and the material, mm; where the cut itself begins at the tip; before a thread. */
+const CLEARANCE = 2;
+const AT_TIP = 1;
+const RUN_UP = 5;
+/** Longer contours are not planned to find a tool, elements. */
+const MOST_ELEMENTS = 60;
+/** Tools that are tried before the first usual one is taken. */
+const MOST_TRIED = 8;
+/** Finishing alone: the contour in one pass, which is all that a tool is tried by. */
+const FINISHING = 2;
+
+const isGroove = ({ group }: Cycle) => group === "recessTurning" || group === "recessing";
+const text = (r: number) => positionAsTyped(toDiameter(radius(r)));
+const half = (d: number | null) => (d === null ? null : toRadius(diameter(d)));
+
+/** The blank for a work: it covers the contour, is held behind it, and its face is where the values begin. */
+function blankOf({ box, from, to, across, inside, shape, pitch, ringed }: LikelyWork, isGroove: boolean): BlankDraft {
+  const core = shape === "thread" ? from.r - METRIC.inside * pitch : box.low;
+  const beside = inside || (across && isGroove);
+  const outside = beside
+    ? Math.ceil(rounded(toDiameter(radius(box.high + ROUND_IT))))
+    : toDiameter(radius(box.high + (ringed ? ON_CYLINDER : 0)));
+  // Away from the chuck nothing is cut unless somebody says that there is material: the end then lies where it would usually be.
+  const away = shape !== "free" && to.z > from.z;
+  const begins = across || shape === "step" ? (away ? from.z : box.right) : Math.max(away ? from.z : box.right, 0);
+  const back = away ? from.z - (to.z - from.z) : box.left;
+  return {
+    outside: positionAsTyped(outside),
+    bore: inside && core > 0 ? text(core) : "0",
+    length: positionAsTyped(Math.ceil(rounded(begins - back + BEHIND))),
+    allowance: positionAsTyped(begins),
+  };
+}
+
+/** The cylinder that stands in the chuck, mm. */
+interface Cylinder {
+  readonly outside: number;
+  readonly bore: number;
+  readonly front: number;
+}
+
+/** Where the tip stands at the call: clear of blank and contour, on the side that the cycle works from. */
+function startOf(cycle: Cycle, { box, from, to, across, inside, shape }: LikelyWork, blank: Cylinder): Pt {
+  const [out, along] = [inside ? -1 : 1, from.z < to.z && (shape !== "free" || !across) ? -1 : 1];
+  const clear = beginsAtTip(cycle) ? AT_TIP : CLEARANCE;
+  const beside = (by: number) => inside ? Math.max(0, Math.min(from.r, blank.bore) - by) : Math.max(from.r, blank.outside) + by;
+  const before = (z: number, by: number) => along > 0 ? Math.max(z, blank.front) + by : z - by;
+  if (shape === "thread") return at(from.z + along * RUN_UP, beside(RUN_UP));
+  if (isGroove(cycle)) return across ? at(before(box.right, clear), from.r) : at(from.z, beside(clear));
+  if (cycle.contour === "free") {
+    const side = inside ? Math.min(box.low, blank.bore) : Math.max(box.high, blank.outside);
+    const falls = (side - from.r) * out <= 0 && !across;
+    return at(before(along > 0 ? box.right : box.left, CLEARANCE), Math.max(0, falls ? side + out * CLEARANCE : side));
+  }
+  if (across) return at(Math.max(from.z, blank.front), beside(CLEARANCE));
+  return at(before(from.z, CLEARANCE), beside(shape === "plunge" ? CLEARANCE : 0));
+}
+
+/** The tool of the table that a turner would take: of the usual kind, turned towards the work, and able to make the contour. */
+function toolOf(cycle: Cycle, work: LikelyWork, given: Given, tools: readonly Tool[]): number {
+  const operation = Object.entries(cycle.params).find(([, p]) => p.text === "operation")?.[0];
+  const values = { ...work.values, ...(operation === undefined ? {} : { [operation]: FINISHING }) } as Values<Params>;
+  const example = (tool: Tool) => Number(tool.T !== cycle.setup.tool);
+  const usual = usualFirst(cycle.group, tools.filter((tool) => isUsualTool(cycle.group, tool) && checkTool(tool).length === 0)).toSorted((
+    a,
+    b,
+  ) => example(a) - example(b));
+  const short = (given.contour?.length ?? 0) <= MOST_ELEMENTS;
+  const start = given.start ?? work.from;
+  const tried = short && (cycle.contour === "own" || given.contour)
+    ? usual.map((tool) => ({
+      tool,
+      fit: () => fitOf(tool, cycle.plan(values, { tool, start, feedUnit: "mm/rev", autoFeed: null, stock: null }, given)),
+    }))
+    : [];
+  let cuts: number | null = null;
+  for (const { tool, fit } of tried.slice(0, MOST_TRIED)) {
+    const found = fit();
+    if (found.makesContour) return tool.T;
+    if (found.cuts) cuts ??= tool.T;
+  }
+  return cuts ?? (usual[0]?.T ?? cycle.setup.tool);
+}
+
+/** The set-up of a job: fields that somebody has set as they are, empty ones as they are proposed for what is typed so far. */
+export function setupOf(job: Job, tools: readonly Tool[]): Setup {
+  const cycle = cycleByNumber(job.cycle);
+  const known = knownParameters(job);
+  const read = (field: Field, typed: string) => readText(field, typed, known).value;
+  const set = { ...job.blank, ...job.start };
+  const isSet = (typed: string) => typed.trim() !== "";
+  const proposed = new Set<SetupPlace>([
+    ...(job.tool === null ? ["tool" as const] : []),
+    ...(["outside", "bore", "length", "allowance"] as const).flatMap((f) => (isSet(set[f]) ? [] : [`blank.${f}` as const])),
+    ...(["x", "z"] as const).flatMap((f) => (isSet(set[f]) ? [] : [`start.${f}` as const])),
+  ]);
+  if (!cycle)
+    return {
+      tool: job.tool ?? 0,
+      blank: job.blank,
+      start: job.start,
+      proposed,
+      work: null,
+      proposal: { blank: job.blank, start: job.start },
+    };
+  const rows = cycle.contour === "free" ? readRows(job.contour).contour.segments : [];
+  const contour = rows.length > 0 ? rows : null;
+  const given: KnownSoFar = {
+    typed: readDraft(cycle, job.drafts[job.cycle] ?? {}, known).partial,
+    contour,
+    tip: { z: read(FIELDS.startZ, set.z), r: half(read(FIELDS.startX, set.x)) },
+    blank: {
+      outside: half(read(FIELDS.outside, set.outside)),
+      bore: half(read(FIELDS.bore, set.bore)),
+      front: read(FIELDS.allowance, set.allowance),
+    },
+  };
+  const work = likelyWork(cycle, given);
+  const made = blankOf(work, isGroove(cycle));
+  const or = (typed: string, otherwise: string) => (isSet(typed) ? typed : otherwise);
+  const blank: BlankDraft = {
+    outside: or(set.outside, made.outside),
+    bore: or(set.bore, made.bore),
+    length: or(set.length, made.length),
+    allowance: or(set.allowance, made.allowance),
+  };
+  const tip = startOf(cycle, work, {
+    outside: half(read(FIELDS.outside, blank.outside)) ?? work.box.high,
+    bore: half(read(FIELDS.bore, blank.bore)) ?? work.box.low,
+    front: read(FIELDS.allowance, blank.allowance) ?? work.box.right,
+  });
+  const point = { x: text(tip.r), z: positionAsTyped(tip.z) };
+  const start = { x: or(set.x, point.x), z: or(set.z, point.z) };
+  const [x, z] = [half(read(FIELDS.startX, start.x)), read(FIELDS.startZ, start.z)];
+  const tool = job.tool ?? toolOf(cycle, work, { contour, start: x === null || z === null ? null : at(z, x) }, tools);
+  return { tool, blank, start, proposed, work, proposal: { blank: made, start: point } };
+}
+
+/** The job as it is printed, drawn and run: with a value in every place of its set-up. */
+export const withSetup = (job: Job, { tool, blank, start }: Pick<Setup, "tool" | "blank" | "start">): SetJob => ({
+  ...job,
+  tool,
+  blank,
+  start,
+});

@@ -1,0 +1,163 @@
+import { boxAround } from "../../kernel/area/box.ts";
+import { cutCorner, type CornerElement } from "../../kernel/contour/corner.ts";
+import { largestCorner } from "../../kernel/contour/contour.ts";
+import { issue } from "../../kernel/plan/issue.ts";
+import type { Move } from "../../kernel/plan/move.ts";
+import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
+import { SAME } from "../../kernel/tolerance.ts";
+import type { Feed as FeedNumber } from "../../kernel/units.ts";
+import type { FeedWord, PolarWord, Words } from "../../nc/statement.ts";
+import { blockFeed, takeFeed } from "../state/block-feed.ts";
+import { datumShiftOf } from "./datum.ts";
+import { breaksRule } from "../state/control-rule.ts";
+import { namedAside, offCentre } from "./off-centre.ts";
+import { frameOf } from "./transform-blocks.ts";
+import { programIssue } from "../state/issue.ts";
+import type { Machine } from "../state/machine.ts";
+import { coordinates, endOf, isPolarPath, planeOfAxes, pointIn, segmentOf, type PathBlock, type Plane, type Position, type Standing,
+  type WordReader } from "../state/path.ts";
+
+const purpose = { phase: "position", run: "rough", step: 0 } as const;
+
+/** A segment as a move; a feed of null is rapid. */
+export function moveOf(machine: Machine, s: Segment, feed: FeedNumber | null): Move {
+  if (feed === null) return { kind: "rapid", to: s.to, ...purpose };
+  const feeding = { feed, feedUnit: machine.feedUnit, ...purpose };
+  return s.kind === "line" ? { kind: "feed", to: s.to, ...feeding } : { kind: "arc", to: s.to, centre: s.centre, turn: s.turn, ...feeding };
+}
+
+/** Runs the element that waited for a corner; called before anything that does not belong to the contour. */
+export function runHeldElement(machine: Machine): void {
+  const { held } = machine.place;
+  machine.setPlace({ held: null });
+  if (!held) return;
+  if (held.corner) machine.log.say(issue("cornerElementAlone", "error", { element: held.element }, "contour"), held.corner.index);
+  run(machine, held.segment, held.feed, held.index);
+}
+
+function run(machine: Machine, s: Segment, feed: FeedNumber | null, index: number): void {
+  if (part.lengthOf(s) > SAME) machine.step(s.from, moveOf(machine, s, feed), index);
+}
+
+/** Holds a new element back until the next block shows whether a corner follows; runs the one before. */
+function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index: number): void {
+  const { held } = machine.place;
+  const { corner } = held ?? {};
+  if (corner && part.lengthOf(segment) <= SAME) return breaksRule(machine, "zeroBehindCorner", wordOf(corner.element), index);
+  if (!held || !corner) {
+    runHeldElement(machine);
+    machine.setPlace({ held: { segment, feed, index, corner: null, element: (held?.element ?? 0) + 1 } });
+    return;
+  }
+  const cut = cutCorner(held.segment, segment, corner.element);
+  if (!cut) {
+    const { kind, size } = corner.element;
+    const max = largestCorner(held.segment, segment, kind, size);
+    machine.log.say(issue("cornerElementTooLong", "error", { element: held.element, size, max }, "contour"), corner.index);
+  }
+  run(machine, cut?.before ?? held.segment, held.feed, held.index);
+  if (cut) run(machine, cut.between, corner.feed, corner.index);
+  machine.setPlace({ held: { segment: cut?.after ?? segment, feed, index, corner: null, element: held.element + 1 } });
+}
+
+/** A chamfer or rounding between plain path blocks; its own feed counts for it alone. */
+export function cornerBlock(machine: Machine, element: CornerElement, feed: FeedWord | undefined, index: number): void {
+  const own = typeof feed === "object" ? machine.number(feed.value, index) : null;
+  const { held } = machine.place;
+  if (!held || held.corner) return machine.log.say(issue("cornerElementAlone", "error", { element: held?.element ?? 1 }, "contour"), index);
+  machine.setPlace({ held: { ...held, corner: { element, feed: own === null ? held.feed : machine.feedOf(own), index } } });
+}
+
+const isAbsolute = (w: PolarWord | undefined) => w !== undefined && !w.incremental;
+
+/** Takes over the end of a block. An axis is sure from an absolute word on: an incremental one is as sure as what it starts from. */
+export function standAt(machine: Machine, { path, words }: PathBlock, to: Position): void {
+  const named = new Set(words.axes.filter((w) => !w.incremental).map((w) => w.axis));
+  const both = isPolarPath(path) && isAbsolute(words.polarRadius) && isAbsolute(words.polarAngle);
+  const { sure, lost } = machine.place;
+  const x = to.x !== null && (sure.x || both || named.has("X"));
+  const z = to.z !== null && (sure.z || both || named.has("Z"));
+  machine.setPlace({ at: to, sure: { x, z }, lost: x && z ? null : lost });
+}
+
+/** Reads the words of a path block. What is not known for a reason that has been told is not told again. */
+export const wordReader = (machine: Machine, index: number): WordReader => ({
+  number: (value) => machine.number(value, index),
+  length: (n) => machine.length(n),
+  shift: (axis) => {
+    const by = datumShiftOf(machine, axis);
+    if (by === "unknown") machine.known.trouble = "unproved";
+    return by;
+  },
+  frame: frameOf(machine.now),
+  aside: (w, n) => namedAside(machine, w, n, index),
+  lose: () => void (machine.setPlace({ lost: machine.known.trouble })),
+  fault: (code) => {
+    if (code === "arcImpossible" || machine.place.lost === null)
+      machine.log.say(programIssue(code, code === "startUnknown" ? "warning" : "error", {}), index);
+  },
+  rule: (rule, word) => breaksRule(machine, rule, word, index),
+});
+
+/** What a block counts from in a plane of the mill or of the lathe. */
+export const standing = ({ now: { pole }, place: { at, mill } }: Machine, plane: Plane): Standing => ({
+  plane,
+  at: plane === "lathe" ? at : mill,
+  pole: pole && pointIn(plane, pole.at),
+});
+
+/** A corner element as the program spells it. */
+export const wordOf = ({ kind }: CornerElement): string => (kind === "round" ? "RND" : "CHF");
+
+/** The pole: CC with coordinates; those it leaves out are where the tool was programmed to. */
+export function pole(machine: Machine, { axes }: Words, index: number): void {
+  const from = machine.now.turning ? machine.place.at : machine.place.mill;
+  if (axes.length === 0 && machine.place.isWhole === false) breaksRule(machine, "emptyCentre", "CC", index);
+  machine.set({ pole: { at: coordinates(wordReader(machine, index), axes, from), plane: planeOfAxes(axes) } });
+}
+
+/** Where a block of a turning tool ends; null where it moves neither axis. */
+export function targetOf(machine: Machine, block: PathBlock, index: number): Position | null {
+  const to = endOf(wordReader(machine, index), block, standing(machine, "lathe"));
+  return isPolarPath(block.path) || block.words.axes.some((w) => w.axis === "X" || w.axis === "Z") ? to : null;
+}
+
+/** What a block of a turning tool moves along between two points. */
+export function elementBetween(machine: Machine, block: PathBlock, from: Pt, to: Pt, index: number): Segment {
+  const { pole } = standing(machine, "lathe");
+  const last = segmentOf(wordReader(machine, index), block, { from, to, pole, before: machine.place.last });
+  machine.setPlace({ last });
+  return last;
+}
+
+/** A feed of which nobody knows where it begins or ends is not cut: it matters unless it surely ends beside the blank. */
+function cutFromNowhere(machine: Machine, to: Pt | null, index: number): void {
+  const { blank } = machine.now;
+  if (blank.length === 0) return;
+  const { left, right, high } = boxAround(blank);
+  if (to && (to.z < left || to.z > right || Math.abs(to.r) > high)) return;
+  machine.log.say(programIssue("startUnknown", "warning", {}), index);
+  machine.log.leaveUnproved(machine.blocks[index]?.raw.trim().replace(/^\/?\d+\s*/, "").slice(0, 60) ?? "", index);
+}
+
+/** One path block: L, C, CR, CT and the polar forms. */
+export function pathBlock(machine: Machine, block: PathBlock, index: number): void {
+  const { words } = block;
+  if (words.compensation === "RL" || words.compensation === "RR")
+    machine.log.say(programIssue("radiusCompensation", "warning", { side: words.compensation }), index);
+  const from = machine.place.sure.x && machine.place.sure.z ? machine.tip : null;
+  const target = targetOf(machine, block, index);
+  if (!target) return takeFeed(machine, words.feed, index);
+  const feed = blockFeed(machine, words.feed, index);
+  const { lost } = machine.place;
+  standAt(machine, block, target);
+  const to = machine.place.sure.x && machine.place.sure.z ? machine.tip : null;
+  if (!from || !to || !machine.now.tool) {
+    runHeldElement(machine);
+    machine.setPlace({ last: null, brought: to && feed === null ? index : null });
+    if (feed !== null && machine.now.tool && lost === null) cutFromNowhere(machine, to, index);
+    return;
+  }
+  if (feed !== null) offCentre(machine, index);
+  hold(machine, elementBetween(machine, block, from, to, index), feed, index);
+}

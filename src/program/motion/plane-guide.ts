@@ -1,0 +1,194 @@
+import { plane, planePoint, type PlanePoint, type PlaneSegment, type Side } from "../../kernel/plane/plane.ts";
+import { ARC_END, SAME } from "../../kernel/tolerance.ts";
+import type { ApproachForm, Compensation, Words } from "../../nc/statement.ts";
+import { shapeOf } from "./approach-fields.ts";
+import { programIssue } from "../state/issue.ts";
+import type { Machine } from "../state/machine.ts";
+import { blockFeed } from "../state/block-feed.ts";
+import type { Carrier } from "./carrier.ts";
+import type { ApproachCall, ChainItem, Guide, Travel } from "../state/plane-chain.ts";
+import { pointIn } from "../state/path.ts";
+import { breaksRule } from "../state/control-rule.ts";
+import { wordOf } from "./path-block.ts";
+import { finishChain } from "./plane-finish.ts";
+
+const { apart, lengthOf } = plane;
+
+const SIDES: Readonly<Record<Compensation, Side>> = { R0: "none", RL: "left", RR: "right" };
+/** The side that a block asks for; the one in force when it says nothing. */
+export const sideOf = (words: Words, now: Side): Side => (words.compensation === undefined ? now : SIDES[words.compensation]);
+
+/** A path block in the working plane: from the programmed point before it (null: unknown) to its own. */
+export interface PathStep extends Travel {
+  readonly segment: PlaneSegment | null;
+  readonly to: PlanePoint;
+}
+
+/** Gives the carrier for a side: compensated with the tool radius, or moved as programmed. */
+export type CarrierFor = (side: Side) => Carrier;
+
+/** Carries out the chain that waits, up to where it has got. */
+export function close(guide: Guide, carrier: CarrierFor, departure: ApproachCall | null = null): void {
+  const { chain } = guide;
+  guide.chain = null;
+  if (chain) guide.here = finishChain(carrier(chain.side), chain, guide.here, departure);
+}
+
+/** A line that begins where the element before it really ends, however little that is beside the programmed point. */
+function joined(segment: PlaneSegment, before: PlaneSegment | undefined): PlaneSegment {
+  if (!before || segment.kind !== "line" || apart(before.to, segment.from) > ARC_END) return segment;
+  return { kind: "line", from: before.to, to: segment.to };
+}
+
+/** Longest compensated contour; beyond it the run ends, for a contour cut short would be another part. */
+const LONGEST = 20_000;
+/** Elements as programmed that wait at most for a corner behind them; only the last one really has to. */
+const WAITING = 1000;
+
+/** Carries out a contour without compensation up to its last element, so that a long program does not wait as a whole. */
+function advance(guide: Guide, carrier: CarrierFor): void {
+  const items = guide.chain?.items ?? [];
+  if (items.length <= WAITING || guide.chain?.side !== "none") return;
+  const [before, last] = [items.at(-2), items.at(-1)];
+  if (!before || !last || before.corner) return;
+  items.pop();
+  close(guide, carrier);
+  guide.chain = { side: "none", start: { kind: "here" }, lifts: [], items: [last] };
+}
+
+const NO_LIFTS: readonly Travel[] = [];
+
+function append(machine: Machine, guide: Guide, step: PathStep, programmed: PlaneSegment): void {
+  const { chain } = guide;
+  if (!chain) return;
+  const last = chain.items.at(-1);
+  const segment = joined(programmed, last?.segment);
+  const { fromZ, toZ, feed, index } = step;
+  if (lengthOf(segment) > SAME) {
+    chain.items.push({ fromZ, toZ, feed, index, segment, lifts: NO_LIFTS });
+    return;
+  }
+  if (last?.corner && fromZ === toZ) breaksRule(machine, "zeroBehindCorner", wordOf(last.corner.element), index);
+  const travel: Travel = { fromZ, toZ, feed, index };
+  if (last) chain.items[chain.items.length - 1] = { ...last, lifts: [...last.lifts, travel] };
+  else chain.lifts = [...chain.lifts, travel];
+}
+
+/** Adds a path block to the contour: begins one at RL or RR, ends one at R0. */
+export function followPath(guide: Guide, carrier: CarrierFor, requested: Side, step: PathStep): void {
+  const now = guide.chain?.side ?? "none";
+  const { machine } = carrier(requested);
+  if (now !== "none" && requested !== "none" && now !== requested) machine.log.say(programIssue("sideChanged", "error", {}), step.index);
+  if (guide.chain && now !== requested) {
+    close(guide, carrier);
+    if (requested === "none") return uncompensated(machine, guide, step, guide.here);
+  }
+  if (requested === "none") {
+    uncompensated(machine, guide, step, null);
+    return advance(guide, carrier);
+  }
+  if (guide.chain) {
+    if (guide.chain.items.length >= LONGEST) return machine.stop(programIssue("contourTooLong", "error", { limit: LONGEST }), step.index);
+    append(machine, guide, step, step.segment ?? { kind: "line", from: step.to, to: step.to });
+    return;
+  }
+  const arc = step.segment?.kind === "arc" ? step.segment : null;
+  guide.chain = {
+    side: requested,
+    start: { ...step, kind: "line", to: arc ? arc.from : step.to, ...(arc && { toZ: step.fromZ }) },
+    lifts: [],
+    items: [],
+  };
+  if (arc) append(machine, guide, step, arc);
+}
+
+/** R0: as programmed. After RL or RR the tool leaves from where it really stands. */
+function uncompensated(machine: Machine, guide: Guide, step: PathStep, standing: PlanePoint | null): void {
+  guide.chain ??= { side: "none", start: { kind: "here" }, lifts: [], items: [] };
+  append(machine, guide, step,
+    standing ? { kind: "line", from: standing, to: step.to } : (step.segment ?? { kind: "line", from: step.to, to: step.to }));
+}
+
+/** A rounding or chamfer behind the last element; false when there is none. */
+export function addCorner(guide: Guide, corner: NonNullable<ChainItem["corner"]>): boolean {
+  const items = guide.chain?.items;
+  const last = items?.at(-1);
+  if (!items || !last || last.corner || last.lifts.length > 0) return false;
+  items[items.length - 1] = { ...last, corner };
+  return true;
+}
+
+/** LEN, R and CCA of an APPR or DEP block, in mm and degrees. */
+function approachWords(machine: Machine, words: Words, index: number): ApproachCall["words"] {
+  const read = (v: Words["length"]) => (v === undefined ? null : machine.number(v, index));
+  const [length, radius, centreAngle] = [read(words.length), read(words.radius), read(words.centreAngle)];
+  return {
+    ...(length !== null && { length: machine.length(length) }),
+    ...(radius !== null && { radius: machine.length(radius) }),
+    ...(centreAngle !== null && { centreAngle }),
+  };
+}
+
+/** Where an APPR or DEP block goes to, and what it says. */
+export interface WrittenApproach {
+  readonly departing: boolean;
+  readonly form: ApproachForm;
+  readonly words: Words;
+  readonly index: number;
+  /** PA, or PN of DEP LCT; null where none is programmed. */
+  readonly target: PlanePoint | null;
+  readonly fromZ: number | null;
+  readonly toZ: number | null;
+}
+
+function callOf(machine: Machine, b: WrittenApproach, feed: Travel["feed"], known: Travel["feed"] | undefined): ApproachCall {
+  const { form, departing, index, target, fromZ, toZ } = b;
+  const pole = machine.now.pole && pointIn(machine.now.turning ? "lathe" : "XY", machine.now.pole.at);
+  return {
+    form,
+    shape: shapeOf(form),
+    departing,
+    index,
+    target,
+    fromZ,
+    toZ,
+    feed,
+    words: approachWords(machine, b.words, index),
+    pole: pole && planePoint(pole),
+    before: known === undefined ? null : (known ?? "rapid"),
+  };
+}
+
+/** The feed that the block before ran at: null is rapid; undefined when none is programmed at all. */
+const feedBefore = (machine: Machine) => (machine.now.lastFeed === undefined ? (machine.now.feed ?? undefined) : machine.now.lastFeed);
+
+/** Forms that run without a side as if nothing were wrong; the others say what they take. */
+const UNCOMPENSATED: ReadonlySet<ApproachCall["shape"]> = new Set(["LT", "LCT"]);
+
+/** APPR: the contour begins; its way there is carried out when the first element is known. */
+export function beginApproach(guide: Guide, carrier: CarrierFor, b: WrittenApproach): void {
+  const side = sideOf(b.words, "none");
+  const { machine } = carrier(side);
+  const now = machine.now.compensation;
+  if (now !== "R0") machine.log.say(programIssue("compensationActive", "error", { side: now }), b.index);
+  machine.set({ compensation: b.words.compensation ?? "R0" });
+  if (side === "none" && UNCOMPENSATED.has(shapeOf(b.form)))
+    machine.log.say(programIssue("approachUncompensated", "warning", { form: `APPR ${b.form}` }), b.index);
+  close(guide, carrier);
+  const known = feedBefore(machine);
+  if (known === undefined) machine.log.sayOnce(programIssue("feedMissing", "error", {}), b.index);
+  if (!guide.here && machine.place.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), b.index);
+  const feed = blockFeed(machine, b.words.feed, b.index);
+  const before = known === undefined ? feed : known;
+  guide.chain = { side, start: { kind: "approach", call: callOf(machine, b, feed, known), before }, lifts: [], items: [] };
+}
+
+/** DEP: the contour ends, and compensation with it. */
+export function endWithDeparture(guide: Guide, carrier: CarrierFor, b: WrittenApproach): void {
+  const { machine } = carrier("none");
+  machine.set({ compensation: "R0" });
+  const known = feedBefore(machine);
+  const call = callOf(machine, b, blockFeed(machine, b.words.feed, b.index), known);
+  guide.chain ??= { side: "none", start: { kind: "here" }, lifts: [], items: [] };
+  close(guide, carrier, call);
+}

@@ -1,0 +1,93 @@
+import type { BlockSpan } from "./block-span.ts";
+import { markedBy, placeInSorted, stretchesBy, type MoveSpan, type PathChoice } from "./path-index.ts";
+import type { Run } from "../state/run-types.ts";
+
+/** The two pictures of a program: the section of the lathe, and the working plane of what is milled. */
+export type MachineSide = "lathe" | "plane";
+
+interface PlaneIndex {
+  /** Blocks that made motions, in the order of the text, and the stretches of each. */
+  readonly blocks: readonly number[];
+  readonly ofBlock: ReadonlyMap<number, readonly MoveSpan[]>;
+}
+
+const indices = new WeakMap<Run["plane"], PlaneIndex>();
+
+function planeIndex({ plane }: Pick<Run, "plane">): PlaneIndex {
+  const known = indices.get(plane);
+  if (known) return known;
+  const ofBlock = stretchesBy(plane, ({ index }) => index);
+  const made = { blocks: [...ofBlock.keys()].sort((a, b) => a - b), ofBlock };
+  indices.set(plane, made);
+  return made;
+}
+
+/** The milled motions of some blocks, in the order they ran. */
+export function milledBy(run: Pick<Run, "plane">, { from, to }: BlockSpan): readonly MoveSpan[] {
+  const { blocks, ofBlock } = planeIndex(run);
+  const own: MoveSpan[] = [];
+  for (let i = placeInSorted(blocks, from); i < blocks.length && (blocks[i] ?? to + 1) <= to; i += 1)
+    own.push(...(ofBlock.get(blocks[i] ?? -1) ?? []));
+  return own.sort((a, b) => a.first - b.first);
+}
+
+/** The first milled motion of a block, or of the next one behind it that moves; null where none does. */
+export function planeBegin(run: Pick<Run, "plane">, block: number): number | null {
+  const { blocks, ofBlock } = planeIndex(run);
+  return ofBlock.get(blocks[placeInSorted(blocks, block)] ?? -1)?.[0]?.first ?? null;
+}
+
+/** What a milled motion stands for: its block. */
+export function choiceOfMilled({ plane }: Pick<Run, "plane">, step: number): PathChoice | null {
+  const made = plane[step];
+  return made ? { kind: "blocks", span: { from: made.index, to: made.index }, line: 0 } : null;
+}
+
+/** Which picture shows what a choice stands for, by its own moves or else by those that come next; null where a program has only one. */
+export function sideOfChoice(run: Run, choice: PathChoice): MachineSide | null {
+  if (run.plane.length === 0 || run.steps.length === 0) return null;
+  if (choice.kind !== "blocks") return "lathe";
+  const [milled] = milledBy(run, choice.span), turned = markedBy(run, choice);
+  if (turned.stretches.length > 0) return milled && firstIsMilled(run, milled.first, turned.begin) ? "plane" : "lathe";
+  if (milled) return "plane";
+  const [next, begin] = [planeBegin(run, choice.span.to), turned.begin];
+  if (next === null || begin === null) return next === null ? (begin === null ? null : "lathe") : "plane";
+  return (run.plane[next]?.index ?? 0) < (run.stepBlocks[begin] ?? 0) ? "plane" : "lathe";
+}
+
+/** Whether a milled motion runs before a turned one. */
+const firstIsMilled = ({ plane }: Run, milled: number, turned: number | null): boolean =>
+  turned === null || (plane[milled]?.turned ?? 0) <= turned;
+
+/** The first milled motion that has more than so many turned steps before it; as many as there are when none has. */
+function firstBehind(plane: Run["plane"], turned: number): number {
+  let [low, high] = [0, plane.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((plane[middle]?.turned ?? 0) > turned) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
+
+/** The same moment of the program on the other side: its first move there that runs then or later. */
+export function momentOn(run: Pick<Run, "plane" | "steps">, side: MachineSide, step: number): number {
+  const { plane, steps } = run;
+  if (side === "lathe") return plane[step]?.turned ?? steps.length;
+  // Milled motions with as many turned steps before them as run now come before that step.
+  return firstBehind(plane, step);
+}
+
+/**
+ * Where a program goes on with the other side when it has been played from one step to another: the step there with which it does;
+ * null while it stays.
+ */
+export function crossing({ plane, steps }: Pick<Run, "plane" | "steps">, side: MachineSide, from: number, to: number): number | null {
+  if (side === "plane") {
+    const before = plane[from]?.turned;
+    const after = to < plane.length ? plane[to]?.turned : steps.length;
+    return before === undefined || after === undefined || after <= before || before >= steps.length ? null : before;
+  }
+  const next = firstBehind(plane, from);
+  return (plane[next]?.turned ?? Infinity) <= to ? next : null;
+}

@@ -1,0 +1,227 @@
+import { cycleByNumber } from "../../cycles/index.ts";
+import { issue } from "../../kernel/plan/issue.ts";
+import type { Block, Program } from "../../nc/program.ts";
+import type { Statement, StatementOf, Words } from "../../nc/statement.ts";
+import { assign, assignText } from "../blocks/assign.ts";
+import { blankBox, blankCylinder, blankFile, blankOfTurnData, blankRotation, cuboidOf, tellBox, tellMissing,
+  turnBlank } from "../blocks/blank-block.ts";
+import { clampedOf, takeComment } from "../clamping/read-clamping.ts";
+import { contourCycle, contourDefinition, selectContour } from "../blocks/contour-choice.ts";
+import { CONTOUR_CYCLE } from "../state/contour-names.ts";
+import { callCycle, cycleDefinition } from "../blocks/cycle-call.ts";
+import { datumLine, DATUM_CYCLE, resetDatum, shiftDatum, tableDatum } from "../motion/datum.ts";
+import { execute, neverReached, wordsOf, type RunCourse } from "../blocks/flow.ts";
+import { runFree } from "../blocks/free-run.ts";
+import { programIssue } from "../state/issue.ts";
+import { Machine } from "../state/machine.ts";
+import { isElsewhere, retract, retracts } from "../motion/machine-moves.ts";
+import { runApproach, chamfer, finish, path } from "../motion/motion.ts";
+import { callProgram, callSelected, PROGRAM_CYCLE, programCycle, selectProgram } from "../blocks/program-calls.ts";
+import { runHeldElement } from "../motion/path-block.ts";
+import { NOWHERE } from "../state/path.ts";
+import { timingOf } from "./run-times.ts";
+import { neverCalled } from "../state/preconditions.ts";
+import { startedBy, stoppedBy } from "../blocks/spindle-start.ts";
+import type { Run } from "../state/run-types.ts";
+import type { Shop } from "../state/shop.ts";
+import { correctTool, toolCall, toolDefinition } from "../blocks/tool-call.ts";
+import { mirrorAxes, scaleAxes, transformedTurning, transformLine, transforms, turnPlane } from "../motion/transform-blocks.ts";
+import { actingLine, actsAtOnce, isSilent, textBlock } from "../blocks/unproved-blocks.ts";
+
+/** Runs a program: executes block after block and plans every cycle that it calls. Never throws, always ends. */
+export const run = (program: Program, shop: Shop): Run => runToEnd(new Machine(program, shop), { from: 0 });
+
+/** Runs what a machine holds to its end, from its first block or from where another run was. */
+export function runToEnd(machine: Machine, course: RunCourse): Run {
+  const { program } = machine;
+  const begin = program.blocks.find((b) => b.statement.kind === "begin")?.statement;
+  const frame = begin?.kind === "begin" ? begin : { name: "", unit: "MM" as const };
+  if (course.from === 0) {
+    machine.set({ turning: beginsTurning(program), inch: frame.unit === "INCH" });
+    machine.known.setUnit(frame.unit === "INCH");
+  }
+  const ending = execute(machine, (s, index) => block(machine, s, index), course);
+  finish(machine);
+  machine.endBrought();
+  tellBox(machine);
+  if (machine.now.turning && machine.log.steps.length > 0) machine.log.countsFrom(machine.now.datum.x, machine.now.datum.z);
+  if (!neverReached(machine, ending) && !ending.told) neverCalled(machine);
+  if (ending.word === null && !ending.told && machine.log.steps.length > 0)
+    machine.log.say(programIssue("programEndMissing", "warning", {}), program.blocks.length - 1);
+  if (machine.log.operations.length > 0 && machine.now.blank.length === 0) tellMissing(machine);
+  const { toolChange, spindle, dwell } = machine.log.beside;
+  const blank = machine.log.firstBlank ?? machine.now.blank, clamping = clampedOf(machine, blank);
+  return {
+    program: {
+      name: frame.name,
+      unit: machine.now.inch ? "inch" : "mm",
+      blocks: program.blocks.filter((b) => b.statement.kind !== "empty" && (b.number !== null || b.statement.kind !== "comment")).length,
+    },
+    blank,
+    clamping,
+    cuboid: cuboidOf(machine),
+    stated: machine.log.stated,
+    operations: machine.log.operations,
+    steps: machine.log.steps,
+    stepBlocks: machine.log.stepBlocks,
+    plane: machine.log.milled,
+    approaches: machine.log.approaches,
+    datums: machine.log.datums,
+    spindles: machine.log.spindles,
+    unproved: machine.log.unproved,
+    issues: machine.log.allFindings(),
+    seconds: machine.log.milled.reduce((sum, s) => sum + s.seconds, machine.log.seconds + toolChange + spindle + dwell),
+    timing: timingOf(machine.shop, machine.log.beside),
+  };
+}
+
+/** True for what only turns: its spindle, and its cycles. */
+const isTurned = ({ statement: s }: Block) => s.kind === "spin" || (s.kind === "cycle" && cycleByNumber(s.cycle) !== undefined);
+
+/** A piece of a program without FUNCTION MODE before its first turned block is read as turning. */
+const beginsTurning = (program: Program) => {
+  const first = program.blocks.find((b) => b.statement.kind === "mode" || isTurned(b));
+  return first !== undefined && first.statement.kind !== "mode";
+};
+
+/** What each kind of block does; a kind without a handler changes nothing. */
+const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: StatementOf<K>, index: number) => void } = {
+  comment: (machine, s, index) => takeComment(machine, s.text, index),
+  path,
+  chamfer,
+  free: runFree,
+  approach: runApproach,
+  toolDefinition,
+  toolCall,
+  blankBox,
+  blankCylinder,
+  blankRotation,
+  blankFile,
+  turnBlank: blankOfTurnData,
+  turnCorrection: correctTool,
+  mode: (machine, s, index) => mode(machine, s.mode, index),
+  datum: (machine, s, index) => {
+    if (s.shift === "reset") resetDatum(machine);
+    else shiftDatum(machine, s.shift, "TRANS DATUM", index);
+  },
+  datumTable: (machine, s, index) => tableDatum(machine, `TRANS DATUM TABLE ${s.row}`.trim(), index),
+  mirror: (machine, s, index) => mirrorAxes(machine, s.axes, { what: "TRANS MIRROR", index }),
+  rotation: (machine, s, index) => turnPlane(machine, s.angle, { what: "TRANS ROTATION", index }),
+  scale: (machine, s, index) => scaleAxes(machine, s.factor, { what: "TRANS SCALE", index }),
+  plane: (machine, s, index) => textBlock(machine, s.text, index),
+  spin,
+  assign,
+  assignText,
+  cycle: (machine, _, index) => cycleDefinition(machine, index),
+  cycleLine,
+  cycleCall: (machine, s, index) => (s.how === "" ? callCycle(machine, index) : callPattern(machine, s.how, index)),
+  selectContour,
+  contourDefinition,
+  callProgram,
+  selectProgram,
+  callSelected: (machine, _, index) => callSelected(machine, index),
+  undercut: (machine, s, index) => machine.log.leaveUnproved(`UDC ${s.form}`, index),
+  groove: (machine, s, index) => machine.log.leaveUnproved(`GRV ${s.form}`, index),
+  unknown: (machine, s, index) => textBlock(machine, s.text, index),
+};
+
+/** Kinds that are run by the order of the blocks, or by their M functions. */
+const IN_ORDER: ReadonlySet<Statement["kind"]> = new Set(["begin", "end", "label", "call", "jump", "raise", "functions", "stop"]);
+
+/** Whether a block of a kind does anything; of comments only the one that states the clamping is read. */
+export const acts = (kind: Statement["kind"]): boolean => kind !== "comment" && (HANDLERS[kind] !== undefined || IN_ORDER.has(kind));
+
+/** Blocks behind which no contour goes on. */
+const ENDING: ReadonlySet<Statement["kind"]> = new Set(["mode", "toolCall", "cycleCall"]);
+/** Blocks between an element and the rounding or chamfer on its end. */
+const WAITING: ReadonlySet<Statement["kind"]> = new Set(["path", "free", "chamfer", "empty", "comment", "structure"]);
+/** Feed per revolution, and per minute. */
+const FEED_UNITS: readonly number[] = [136, 137];
+
+/** Carries out what a block leaves behind it: the contours, an element that could still have a corner, or nothing. */
+function before(machine: Machine, s: Statement, words: Words | null): void {
+  const ends = ENDING.has(s.kind) || (words && (retracts(words) || (s.kind === "path" && isElsewhere(words))));
+  if (ends) return finish(machine);
+  const waits = WAITING.has(s.kind) && !(s.kind === "path" && s.path === "CC");
+  if (!waits || words?.functions.some((m) => FEED_UNITS.includes(m))) runHeldElement(machine);
+}
+
+const handle = <K extends Statement["kind"]>(machine: Machine, kind: K, s: StatementOf<K>, index: number) =>
+  HANDLERS[kind]?.(machine, s, index);
+
+function block(machine: Machine, s: Statement, index: number): void {
+  const words = wordsOf(s), { comment = null } = machine.blocks[index] ?? {};
+  if (comment !== null) takeComment(machine, comment, index);
+  before(machine, s, words);
+  if (words) functions(machine, words, index);
+  handle(machine, s.kind, s, index);
+  if (!words) return;
+  const [once, on] = [words.functions.includes(99), words.functions.includes(89)];
+  if (once || on || (machine.now.callsBehindMoves && s.kind === "path" && words.axes.length > 0)) {
+    finish(machine);
+    callCycle(machine, index);
+  }
+  stoppedBy(machine, words, index);
+  machine.set({ callsBehindMoves: !once && (on || machine.now.callsBehindMoves) });
+}
+
+function functions(machine: Machine, words: Words, index: number): void {
+  for (const m of words.functions) if (FEED_UNITS.includes(m)) machine.set({ perRevolution: m === 136 });
+  startedBy(machine, words, index);
+  if (words.extra.length > 0) machine.log.leaveUnproved(words.extra.join(" ").slice(0, 40), index);
+  if (retracts(words)) retract(machine, words, index);
+}
+
+/** Another kind of machining has other kinematics: where the tool stands in its coordinates, nobody knows. */
+function mode(machine: Machine, wanted: "TURN" | "MILL", index: number): void {
+  machine.set({ mode: wanted });
+  if (wanted === "TURN") {
+    transformedTurning(machine, index);
+    turnBlank(machine);
+  } else machine.traced = null;
+  machine.setPlace({ last: null });
+  if (machine.now.turning === (wanted === "TURN")) return;
+  machine.endBrought();
+  machine.set({ turning: wanted === "TURN", pole: null, besideCentre: null });
+  machine.setPlace({ sure: { x: false, z: false }, brought: null, mill: NOWHERE });
+  machine.millGuide.here = null;
+}
+
+/** CYCL CALL POS and PAT: the positions at which the cycle would run are not run. */
+function callPattern(machine: Machine, how: string, index: number): void {
+  if (machine.now.defined) machine.called.add(machine.now.defined.index);
+  machine.loseAll();
+  machine.log.leaveUnproved(`CYCL CALL ${how}`, index);
+}
+
+/** Input range of a spindle speed, rpm. */
+const FASTEST_SPINDLE = 99_999.999;
+
+function spin(machine: Machine, s: StatementOf<"spin">, index: number): void {
+  const read = (v: typeof s.speed) => (v === null ? null : machine.number(v, index));
+  const [speed, cuttingSpeed, limit] = [read(s.speed), read(s.cuttingSpeed), read(s.limit)];
+  if (limit !== null && limit < 0)
+    machine.log.say(issue("outOfRange", "error", { value: limit, min: 0, max: FASTEST_SPINDLE }, "SMAX"), index);
+  if (s.constantSurface && cuttingSpeed !== null && cuttingSpeed > 0) {
+    machine.set({ spindle: { kind: "surface", cuttingSpeed, limit: Math.max(0, limit ?? 0) }, spunBy: index });
+  } else if (!s.constantSurface && speed !== null && speed > 0) machine.set({ spindle: { kind: "constant", speed }, spunBy: index });
+  else {
+    machine.log.say(programIssue("spindleMissing", "error", {}), index);
+    machine.set({ speedElsewhere: "told" });
+  }
+}
+
+/** One line of an older cycle: what shifts, mirrors, turns and scales is run, a contour's labels are noted, other cycles are told. */
+function cycleLine(machine: Machine, s: StatementOf<"cycleLine">, index: number): void {
+  const { cycle, line, text } = s;
+  if (cycle === CONTOUR_CYCLE) contourCycle(machine, s, index);
+  else if (cycle === PROGRAM_CYCLE) programCycle(machine, s, index);
+  else if (cycle === DATUM_CYCLE) {
+    if (line > 0) datumLine(machine, text, `CYCL DEF ${cycle}`, index);
+  } else if (transforms(cycle)) transformLine(machine, s, index);
+  else {
+    if (!isSilent(cycle)) machine.log.say(programIssue("cycleNotSimulated", "info", { cycle, name: text }), index);
+    if (actsAtOnce(cycle)) actingLine(machine, s, index);
+    else if (line === 0) machine.set({ defined: { index, cycle, values: new Map(), troubled: new Set() } });
+  }
+}

@@ -1,0 +1,55 @@
+import type { ApproachRequest, ApproachShape } from "../../kernel/plane/approach.ts";
+import type { CornerElement } from "../../kernel/contour/corner.ts";
+import type { PlanePoint, PlaneSegment, Side } from "../../kernel/plane/plane.ts";
+import type { Feed } from "../../kernel/units.ts";
+import type { ApproachForm } from "../../nc/statement.ts";
+
+/** The tool axis and the feed of a block; `z` in mm, null while unknown and in turning. A feed of null is rapid. */
+export interface Travel {
+  readonly fromZ: number | null;
+  readonly toZ: number | null;
+  readonly feed: Feed | null;
+  readonly index: number;
+}
+
+/** A programmed element with what belongs to it. */
+export interface ChainItem extends Travel {
+  readonly segment: PlaneSegment;
+  readonly corner?: { readonly element: CornerElement; readonly feed: Feed | null; readonly index: number };
+  /** Moves in the tool axis alone, behind the element. */
+  readonly lifts: readonly Travel[];
+}
+
+/** The words of an APPR or DEP block. */
+export interface ApproachCall extends Travel {
+  readonly form: ApproachForm;
+  readonly shape: ApproachShape;
+  readonly departing: boolean;
+  readonly words: Pick<ApproachRequest, "length" | "radius" | "centreAngle">;
+  /** APPR: the programmed PA. DEP LCT: the programmed PN; null for the other departures. */
+  readonly target: PlanePoint | null;
+  readonly pole: PlanePoint | null;
+  /** The feed in force before the block; null when none was programmed. */
+  readonly before: number | "rapid" | null;
+}
+
+/** How the tool comes to a contour: it stands there, moves there with an RL or RR block, or approaches. */
+export type ChainStart = { readonly kind: "here" } | ({ readonly kind: "line"; readonly to: PlanePoint } & Travel) | {
+  readonly kind: "approach";
+  readonly call: ApproachCall;
+  readonly before: Feed | null;
+};
+
+/** Elements that belong together: everything between two changes of RL, RR and R0. */
+export interface CompensatedChain {
+  readonly side: Side;
+  readonly start: ChainStart;
+  lifts: readonly Travel[];
+  readonly items: ChainItem[];
+}
+
+/** Where a chain is being built, and where the programmed point (mill centre, or tip) really stands. */
+export interface Guide {
+  chain: CompensatedChain | null;
+  here: PlanePoint | null;
+}

@@ -1,0 +1,76 @@
+import type { Cycle } from "../../cycles/define.ts";
+import type { Param, Params, Values } from "../../cycles/params.ts";
+import type { Move } from "../../kernel/plan/move.ts";
+import { feed as feedNumber } from "../../kernel/units.ts";
+import { isUnlikely } from "./block-feed.ts";
+import { programIssue, type ProgramIssue } from "./issue.ts";
+import type { Machine } from "./machine.ts";
+
+/** No tool for this block. Where a TOOL CALL named one that can not be used, that has been told. */
+export function noTool(machine: Machine, index: number): void {
+  if (!machine.now.toolRefused) machine.log.say(programIssue("noToolCalled", "error", {}), index);
+}
+
+/** Line of a parameter inside its definition, from 0: the first time it stands there, or the second. */
+export function lineOfParameter(raw: string, q: string, time = 1): number {
+  const found = [...raw.matchAll(new RegExp(String.raw`(?:^|[\r\n]|[ \t])[ \t]*${q}(?![\d])`, "gi"))][time - 1];
+  return found ? raw.slice(0, found.index + 1).split(/\r\n|\n|\r/).length - 1 : 0;
+}
+
+/** Parameters that the cycle does not have, and those that stand twice: a control refuses the first and takes the last of the others. */
+export function foreignParameters(machine: Machine, cycle: Cycle, names: readonly string[], index: number): void {
+  const raw = machine.blocks[index]?.raw ?? "";
+  const met = new Set<string>();
+  for (const q of names) {
+    const twice = met.has(q);
+    met.add(q);
+    if (twice || !(q in cycle.params))
+      machine.log.say(programIssue("parameterForeign", "warning", { name: q, cycle: cycle.number }, q), index,
+        lineOfParameter(raw, q, twice ? 2 : 1));
+  }
+}
+
+const isCut = (m: Move): m is Extract<Move, { kind: "feed" | "arc" }> => m.kind === "feed" || m.kind === "arc";
+const standsStill = (moves: readonly Move[]) => moves.filter((m) => isCut(m) && !(m.feed > 0)).length;
+
+/** Feeds of a cycle's values that its path runs with and that can not be meant, each at its parameter. */
+export function unlikelyFeeds<P extends Params>(
+  cycle: Cycle<P>,
+  values: Values<P>,
+  moves: readonly Move[],
+  machine: Machine,
+  planned: (values: Values<P>) => readonly Move[],
+): ProgramIssue[] {
+  const found: ProgramIssue[] = [];
+  const names = Object.entries<Param>(cycle.params).filter(([, p]) => p.kind === "feed").map(([q]) => q);
+  const read = (q: string) => (values as Readonly<Record<string, number | "auto">>)[q];
+  let [still, now] = [standsStill(moves), values];
+  for (const q of names) {
+    if (still === 0) break;
+    const value = read(q);
+    if (value === undefined || (value === "auto" ? (machine.now.toolFeed ?? 0) : value) > 0) continue;
+    // A parameter is at fault when another value of it, and of those before it, lets more of the path move.
+    const mended = { ...now, [q]: feedNumber(1) };
+    const left = standsStill(planned(mended));
+    if (left >= still) continue;
+    [still, now] = [left, mended];
+    found.push(programIssue("feedZero", "error", { word: value === "auto" ? "FAUTO" : `${q}=${value}` }, q));
+  }
+  const run = new Set(moves.filter(isCut).map((m) => m.feed));
+  for (const q of names) {
+    const value = read(q);
+    const feed = value === "auto" ? machine.now.toolFeed : (value ?? null);
+    if (feed !== null && run.has(feedNumber(feed)) && isUnlikely(feed, machine.now.perRevolution))
+      found.push(programIssue("feedUnlikely", "warning", { feed, unit: machine.feedUnit }, q));
+  }
+  return found;
+}
+
+/** Definitions of turning cycles that no call has run. */
+export function neverCalled(machine: Machine): void {
+  for (const index of machine.definitions) {
+    const s = machine.blocks[index]?.statement;
+    if (!machine.called.has(index) && s?.kind === "cycle")
+      machine.log.say(programIssue("cycleNeverCalled", "warning", { cycle: s.cycle }), index);
+  }
+}

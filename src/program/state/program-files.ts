@@ -1,0 +1,43 @@
+import type { Program } from "../../nc/program.ts";
+
+/** A program that lies beside the one that runs. */
+export interface ProgramFile {
+  readonly name: string;
+  readonly program: Program;
+}
+
+/** The programs that a run can call. */
+export interface ProgramFiles {
+  /** The program of a name as `fileKey` makes it; null when there is none. */
+  find(key: string): ProgramFile | null;
+}
+
+export const NO_FILES: ProgramFiles = { find: () => null };
+
+/** What file names are compared by: the folder does not count, nor the case, and a name without an ending is that of a program. */
+export function fileKey(name: string): string {
+  const bare = name.trim().replace(/^.*[\\/:]/, "").toUpperCase();
+  return bare === "" || bare.includes(".") ? bare : `${bare}.H`;
+}
+
+/** The name that the second line of cycle 12 gives a program: `PGM TNC:\DRILL.H`, or the name alone. */
+export const nameInCycle = (text: string): string => text.replace(/^PGM[ \t]+/i, "").replaceAll('"', "").trim();
+
+/** Files by their names, each read when it is first called. Of two with one name the first counts. */
+export function filesByName(
+  files: readonly { readonly name: string; readonly text: string }[],
+  parse: (text: string) => Program,
+): ProgramFiles {
+  const texts = new Map(files.toReversed().map((file) => [fileKey(file.name), file]));
+  const read = new Map<string, ProgramFile>();
+  return {
+    find: (key) => {
+      const known = read.get(key);
+      const file = texts.get(key);
+      if (known || !file) return known ?? null;
+      const made = { name: file.name, program: parse(file.text) };
+      read.set(key, made);
+      return made;
+    },
+  };
+}

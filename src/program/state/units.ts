@@ -1,0 +1,41 @@
+import type { Block, Program } from "../../nc/program.ts";
+import type { Label } from "../../nc/statement.ts";
+import { namesIn } from "./contour-names.ts";
+
+/**
+ * One text of a run: the program itself, or one that it calls. The blocks of all of them stand behind one another, so that an
+ * index names one block of the run, whichever text it is from.
+ */
+export interface Unit {
+  /** Name of its file; null for the program itself. */
+  readonly file: string | null;
+  readonly program: Program;
+  /** Its blocks: from the first to the one before `to`. */
+  readonly from: number;
+  readonly to: number;
+  readonly labels: ReadonlyMap<Label, number>;
+  /** Labels of contours: a program never runs into them. */
+  readonly contours: ReadonlySet<Label>;
+  readonly inch: boolean;
+}
+
+/** A block behind a skip mark while the switch for them is on. */
+export const isSkipped = (block: Block | undefined, skipMarked: boolean): boolean => skipMarked && (block?.skip ?? false);
+
+/** A text as part of a run. `twice` hears of each label that is set a second time. */
+export function unitFrom(
+  program: Program,
+  { file, from, skipMarked }: { readonly file: string | null; readonly from: number; readonly skipMarked: boolean },
+  twice: (label: Label, index: number) => void,
+): Unit {
+  const labels = new Map<Label, number>();
+  program.blocks.forEach((block, i) => {
+    const { statement: s } = block;
+    if (s.kind !== "label" || s.label === 0 || isSkipped(block, skipMarked)) return;
+    if (labels.has(s.label)) twice(s.label, from + i);
+    else labels.set(s.label, from + i);
+  });
+  const begin = program.blocks.find((b) => b.statement.kind === "begin")?.statement;
+  const inch = begin?.kind === "begin" && begin.unit === "INCH";
+  return { file, program, from, to: from + program.blocks.length, labels, contours: namesIn(program.blocks), inch };
+}

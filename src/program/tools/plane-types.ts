@@ -1,0 +1,93 @@
+import type { ApproachRequest, ApproachShape, NamedPoints } from "../../kernel/plane/approach.ts";
+import type { ContourCut, FreeWay } from "../../kernel/plane/approach-check.ts";
+import type { FeedUnit } from "../../kernel/plan/move.ts";
+import type { PlanePoint, PlaneSegment, Side } from "../../kernel/plane/plane.ts";
+import type { Turn } from "../../kernel/geometry/point.ts";
+import type { DrillType } from "../../kernel/plan/tool.ts";
+import type { ApproachForm } from "../../nc/statement.ts";
+import type { Transform } from "./coordinates-frame.ts";
+
+/** How a control moves in the tool axis with APPR and DEP: "TNC 640" in the plane first, then in the axis; "TNC7" both at once. */
+export type Control = "TNC 640" | "TNC7";
+
+/** A position of a mill, mm: its centre in the plane, its end in the axis. `z` is null as long as no block has named it. */
+export interface Spot {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number | null;
+}
+
+/** One motion of a milling program. An arc with different z at its ends is a helix. */
+export interface PlaneStep {
+  readonly kind: "rapid" | "feed" | "arc";
+  readonly from: Spot;
+  readonly to: Spot;
+  readonly centre?: PlanePoint;
+  readonly turn?: Turn;
+  /** Of an arc in a plane beside that of the tool axis: the centre in the axes of that plane, the turn from its first to its second. */
+  readonly side?: { readonly plane: "YZ" | "ZX"; readonly centre: { readonly x?: number; readonly y?: number; readonly z?: number };
+    readonly turn: Turn };
+  /** Absent on a rapid. */
+  readonly feed?: number;
+  readonly feedUnit?: FeedUnit;
+  /** Radius of the tool, mm; 0 when nobody knows it. */
+  readonly radius: number;
+  /** Number of the block, and its index in the parsed program. */
+  readonly block: number;
+  readonly index: number;
+  readonly seconds: number;
+  /** How many steps of turning ran before it: their order in a program that does both. */
+  readonly turned: number;
+}
+
+/** One executed APPR or DEP. */
+export interface ApproachRun {
+  readonly block: number;
+  readonly index: number;
+  readonly form: ApproachForm;
+  readonly shape: ApproachShape;
+  readonly departing: boolean;
+  readonly side: Side;
+  /** The working plane: X/Y of a mill, or Z/X of a turning tool. */
+  readonly plane: "XY" | "ZX";
+  /**
+   * PS, PH, PA, PE, PN in the plane (turning: x is Z, y is the radius). XY: tool centre. ZX: the theoretical tip, whose
+   * nose centre runs on the compensated path.
+   */
+  readonly points: NamedPoints;
+  readonly toolRadius: number;
+  /** Of CT and LCT, degrees; its centre as the points. */
+  readonly arc: { readonly centre: PlanePoint; readonly radius: number; readonly angle: number; readonly turn: Turn } | null;
+  /** What it was calculated from, for a dialog that tries other values; in the path of the tool centre. */
+  readonly request: ApproachRequest;
+  /** The programmed contour that it belongs to. */
+  readonly contour: readonly PlaneSegment[];
+  /** From the tool centre to the programmed point: nothing for a mill. */
+  readonly tip: PlanePoint;
+  /** How far the datum of the program stands from that of the workpiece, in the plane. */
+  readonly datum: PlanePoint;
+  /** How the program's coordinates are mirrored, turned and scaled besides. */
+  readonly transform: Transform;
+  /** CC at the block. */
+  readonly pole: PlanePoint | null;
+  /** Feed in force before the block, in its unit; "rapid", or null when none was programmed. */
+  readonly feedBefore: number | "rapid" | null;
+  /** Where the tool centre's way cuts into the contour, and what would make it free. */
+  readonly cut: ContourCut | null;
+  readonly free: FreeWay | null;
+}
+
+/** A milling tool of the table: what the path needs of it, mm. */
+export interface Mill {
+  readonly T: number;
+  readonly NAME: string;
+  readonly R: number;
+  readonly DR?: number;
+  /** Of a tool that can bore on the axis of the spindle. */
+  readonly TYPE?: DrillType;
+  /** Point angle, degrees. */
+  readonly "T-ANGLE"?: number;
+  /** Length of its edges. */
+  readonly LCUTS?: number;
+  readonly PITCH?: number;
+}

@@ -1,0 +1,127 @@
+import { z } from "zod";
+import type { Issue } from "../../kernel/plan/issue.ts";
+import { DRILL_TYPES, TOOL_TYPES, type Tool } from "../../kernel/plan/tool.ts";
+import { checkTool } from "./check-tool.ts";
+import { soundHead } from "./holder-cells.ts";
+import type { Mill } from "./plane-types.ts";
+
+/** A cell that may be left out or written as null. */
+const cell = z.number().nullish();
+/** Parts of a head, each by its corners [Z, X]. */
+const head = z.array(z.array(z.tuple([z.number(), z.number()]))).refine(soundHead,
+  "a part needs 3 to 16 corners that are not in line; 8 parts at most");
+const row = z.object({
+  T: z.number().min(0).max(32767.9),
+  NAME: z.string().max(32).nullish(),
+  TYPE: z.enum(TOOL_TYPES),
+  TO: cell,
+  RS: cell,
+  ZL: cell,
+  XL: cell,
+  DZL: cell,
+  DXL: cell,
+  DYL: cell,
+  DRS: cell,
+  ORI: cell,
+  "T-ANGLE": cell,
+  "P-ANGLE": cell,
+  CUTLENGTH: cell,
+  CUTWIDTH: cell,
+  DCW: cell,
+  holder: z.object({
+    width: z.number().positive(),
+    length: z.number().positive(),
+    offsetZ: z.number(),
+    offsetX: z.number(),
+    axis: z.enum(["X", "Z"]).optional(),
+    head: head.optional(),
+  }).nullish(),
+});
+/** A milling tool: any row with a radius R that names none of the turning types. */
+const mill = z.object({
+  T: z.number().min(0).max(32767.9),
+  NAME: z.string().max(32).nullish(),
+  R: z.number().min(0),
+  DR: cell,
+  L: cell,
+  DL: cell,
+  "T-ANGLE": z.number().min(0).max(180).nullish(),
+  LCUTS: z.number().min(0).nullish(),
+  PITCH: z.number().min(0).nullish(),
+  TYPE: z.string().refine((type) => !TOOL_TYPES.some((t) => t === type)).nullish(),
+});
+const file = z.object({ tools: z.array(z.unknown()) }).transform(({ tools }, context) => ({
+  tools: tools.flatMap((cells, i) => {
+    const asMill = mill.safeParse(cells);
+    const read = asMill.success ? asMill : row.safeParse(cells);
+    if (read.success) return [read.data];
+    for (const found of read.error.issues) context.addIssue({ code: "custom", message: found.message, path: ["tools", i, ...found.path] });
+    return [];
+  }),
+}));
+type MillCells = z.infer<typeof mill>;
+type Row = z.infer<typeof mill> | z.infer<typeof row>;
+const isMill = (r: Row): r is z.infer<typeof mill> => "R" in r;
+
+/** What a run needs of a milling tool; an empty cell is absent, and so is a length or pitch of 0. */
+export function millOf(cells: MillCells): Mill {
+  const type = DRILL_TYPES.find((each) => each === cells.TYPE?.toUpperCase());
+  return {
+    T: cells.T,
+    NAME: cells.NAME ?? "",
+    R: cells.R,
+    DR: cells.DR ?? 0,
+    ...(type && {
+      TYPE: type,
+      ...(cells["T-ANGLE"] && { "T-ANGLE": cells["T-ANGLE"] }),
+      ...(cells.LCUTS && { LCUTS: cells.LCUTS }),
+      ...(cells.PITCH && { PITCH: cells.PITCH }),
+    }),
+  };
+}
+
+/** Tools that can cut, and for the others what is wrong with their columns. */
+export interface ShopTools {
+  readonly tools: readonly Tool[];
+  readonly refused: ReadonlyMap<number, readonly Issue[]>;
+  /** Milling tools, of which only the radius counts. */
+  readonly mills?: readonly Mill[];
+}
+
+/** Reads the text of a tools file. A file that is no table gives `problem`; a row with impossible columns is refused alone. */
+export function readTools(text: string): ShopTools | { readonly problem: string } {
+  let json: unknown;
+  try {
+    json = JSON.parse(text);
+  } catch {
+    return { problem: "it is not JSON" };
+  }
+  const read = file.safeParse(json);
+  if (!read.success) {
+    const [first] = read.error.issues;
+    return { problem: `${first?.path.join(".") || "the file"}: ${first?.message ?? "not a tool table"}` };
+  }
+  const tools: Tool[] = [];
+  const mills: Mill[] = [];
+  const refused = new Map<number, readonly Issue[]>();
+  for (const cells of read.data.tools) {
+    if (isMill(cells)) {
+      mills.push(millOf(cells));
+      continue;
+    }
+    const present = Object.fromEntries(
+      Object.entries(cells).filter(([column, value]) => value !== null && value !== undefined && !(column === "CUTLENGTH" && value === 0)),
+    );
+    const problems = checkTool(present);
+    if (problems.length > 0) refused.set(cells.T, problems);
+    else tools.push({ NAME: "", ...present } as unknown as Tool);
+  }
+  return { tools, refused, ...(mills.length > 0 && { mills }) };
+}
+
+/** A table over another: rows of the same number are replaced. */
+export function over(base: readonly Tool[], table: ShopTools): ShopTools {
+  const mills = table.mills ?? [];
+  const replaced = new Set([...table.tools.map((t) => t.T), ...table.refused.keys(), ...mills.map((m) => m.T)]);
+  return { tools: [...base.filter((t) => !replaced.has(t.T)), ...table.tools], refused: table.refused, ...(mills.length > 0 && { mills }) };
+}

@@ -1,0 +1,78 @@
+import type { Holder, Tool } from "../../kernel/plan/tool.ts";
+import { writeHead } from "./holder-cells.ts";
+import { HOLDER_CELLS, isDrillType, isToolType, MILL, MILL_TABLE, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
+import type { MillTool, ToolEntry } from "./tool-entry.ts";
+import { readTableCsv } from "./tool-table-csv.ts";
+import { readTableText, type TableFile } from "./tool-table-text.ts";
+
+/** Writes tools as the tools file of the `verify` command, one tool a line, milling tools behind the others. Nothing is rounded. */
+export function writeTableJson(tools: readonly Tool[], mills: readonly MillTool[] = []): string {
+  const lines = tools.map((tool) => {
+    const columns = TOOL_COLUMNS.filter((column) => tool[column] !== undefined).map((column) => [column, tool[column]]);
+    return `  ${JSON.stringify({ ...Object.fromEntries(columns), ...(tool.holder && { holder: tool.holder }) })}`;
+  });
+  lines.push(...mills.map(({ T, NAME, ...columns }) => `  ${JSON.stringify({ T, NAME, TYPE: MILL, ...columns })}`));
+  return `{ "tools": [\n${lines.join(",\n")}\n] }\n`;
+}
+
+const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+
+/** A cell as text; what is neither text nor a number becomes text that its column complains about. */
+const asText = (value: unknown): string => (typeof value === "string" ? value : JSON.stringify(value) ?? "");
+
+/** Corners of a head as they are typed; anything else becomes text that its cell complains about. */
+const isPair = (c: unknown) => Array.isArray(c) && c.length === 2 && c.every((n) => typeof n === "number");
+const isHead = (value: unknown): value is NonNullable<Holder["head"]> =>
+  Array.isArray(value) && value.every((part) => Array.isArray(part) && part.every(isPair));
+
+function cellsOf(row: Readonly<Record<string, unknown>>, leftOut: Set<string>): ToolEntry["cells"] {
+  const cells: Partial<Record<CellName, string>> = {};
+  const take = (name: CellName, value: unknown) => {
+    if (value !== null && value !== undefined && value !== "") cells[name] = asText(value);
+  };
+  const isMill = "R" in row && !isToolType(String(row["TYPE"]));
+  const drill = String(row["TYPE"]).toUpperCase();
+  if (isMill) cells.TYPE = isDrillType(drill) ? drill : MILL;
+  const columns: readonly CellName[] = isMill ? ["T", "NAME", ...MILL_TABLE] : TOOL_COLUMNS;
+  for (const [name, value] of Object.entries(row)) {
+    const column = columns.find((each) => each === name);
+    if (column) take(column, value);
+    else if (name === "holder" && isRecord(value) && !isMill) {
+      for (const cell of HOLDER_CELLS) take(cell, cell === "head" && isHead(value[cell]) ? writeHead(value[cell]) : value[cell]);
+    } else if (!(name === "holder" && value === null) && !(isMill && name === "TYPE")) leftOut.add(name);
+  }
+  return cells;
+}
+
+/** Reads a tools file cell by cell, so that a row with a wrong cell comes in and shows it. */
+export function readTableJson(text: string): TableFile {
+  let json: unknown;
+  try {
+    json = JSON.parse(text.replace(/^\uFEFF/, ""));
+  } catch {
+    return { problem: "notATable" };
+  }
+  const tools = isRecord(json) ? json["tools"] : null;
+  if (!Array.isArray(tools) || !tools.every(isRecord)) return { problem: "notATable" };
+  if (tools.length === 0) return { problem: "noRows" };
+  const leftOut = new Set<string>();
+  const rows = tools.map((row) => cellsOf(row, leftOut));
+  return { rows, leftOut: [...leftOut], cutShort: false };
+}
+
+/** Most rows that a file may bring. */
+export const MOST_ROWS = 2000;
+
+/** JSON begins with a brace, a table of the control with BEGIN; anything else may be a sheet. */
+function readKind(text: string): TableFile {
+  const bare = text.replace(/^\uFEFF/, "").trimStart();
+  if (/^[{[]/.test(bare)) return readTableJson(text);
+  return /^BEGIN\s/i.test(bare) ? readTableText(text) : readTableCsv(text);
+}
+
+/** Reads a file of any kind. Never throws. */
+export function readToolFile(text: string): TableFile | { readonly problem: "tooMany"; readonly most: number } {
+  const read = readKind(text);
+  return "rows" in read && read.rows.length > MOST_ROWS ? { problem: "tooMany", most: MOST_ROWS } : read;
+}

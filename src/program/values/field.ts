@@ -1,0 +1,99 @@
+import type { Param } from "../../cycles/params.ts";
+import { issue, type Issue } from "../../kernel/plan/issue.ts";
+import type { Value } from "../../nc/statement.ts";
+import { parameterOf } from "../../nc/value.ts";
+import { type KnownParameters, readExpression, spelling } from "./expression.ts";
+
+/** What one field takes, wherever it is typed: a prompt, a word of a block, the set-up, a row, a cell of the tool table. */
+export interface Field {
+  /** Where its findings stand: a Q number, a word, "start.x", a column. */
+  readonly id: string;
+  /** What its value measures, and so its unit; a bare number has none. */
+  readonly kind: Param["kind"] | "number";
+  readonly range: readonly [min: number, max: number];
+  readonly choices?: readonly number[];
+  /** May stay empty. */
+  readonly optional: boolean;
+  /** Decimals that are kept of the value; null keeps it as typed. */
+  readonly decimals: number | null;
+  /** Written with an I in front it counts from the position before. */
+  readonly increments?: boolean;
+  /** A feed that may be FMAX. */
+  readonly rapid?: boolean;
+}
+
+/** What is typed into a field. Never 0 where nothing stands there. */
+export interface FieldReading {
+  /** The number, as the field keeps it; null while there is none, and for FAUTO and FMAX. */
+  readonly value: number | null;
+  /** The same as NC text has it: a Q parameter that stands there alone stays one. */
+  readonly written: Value | "auto" | "max" | null;
+  readonly incremental: boolean;
+  /** True for a sum: the field shows its value once it is left. */
+  readonly computed: boolean;
+  readonly empty: boolean;
+  /** What is wrong, with the nearest value that is not. */
+  readonly issue: Issue | null;
+}
+
+/** What a field without anything in it says. */
+export const nothing: FieldReading = { value: null, written: null, incremental: false, computed: false, empty: true, issue: null };
+export const wrong = (found: Issue): FieldReading => ({ ...nothing, empty: false, issue: found });
+
+/** A number without bounds, which may be left out. */
+export const anyNumber: Field = { id: "", kind: "number", range: [-Infinity, Infinity], optional: true, decimals: null };
+
+/** A number rounded to what a control keeps; never −0. */
+export const kept = (n: number, decimals: number): number => Number(n.toFixed(decimals)) || 0;
+
+const nearestOf = (choices: readonly number[], n: number) =>
+  choices.reduce((best, next) => (Math.abs(next - n) < Math.abs(best - n) ? next : best));
+
+/** What of a field says which numbers it takes. */
+type Taken = Pick<Field, "id" | "range" | "choices"> & Partial<Pick<Field, "kind">>;
+
+/** What is wrong with a number in a field, with the nearest one that it takes; null when it can be used. */
+export function checkNumber({ id, kind, range: [min, max], choices }: Taken, n: number): Issue | null {
+  if (choices) return choices.includes(n) ? null : issue("notAChoice", "error", { value: n, choices, nearest: nearestOf(choices, n) }, id);
+  const within = Math.min(max, Math.max(min, n));
+  if (!(n >= min && n <= max)) return issue("outOfRange", "error", { value: n, min, max, nearest: within }, id);
+  return kind === "count" && !Number.isInteger(n) ? issue("notWhole", "error", { value: n, nearest: Math.round(n) }, id) : null;
+}
+
+/** FAUTO and FMAX as typed: with or without the F, in any case. */
+export function feedWord(typed: string): "auto" | "max" | null {
+  const word = /^\s*f?\s*(auto|max)\s*$/i.exec(typed)?.[1]?.toLowerCase();
+  return word === "auto" || word === "max" ? word : null;
+}
+
+/** The only way from typed text to a value. Empty stays missing; what cannot be read is said, never guessed. */
+export function readText(field: Field, typed: string, known: KnownParameters = {}): FieldReading {
+  const text = typed.trim();
+  if (text === "") return { ...nothing, issue: field.optional ? null : issue("missing", "error", {}, field.id) };
+  const word = field.kind === "feed" ? feedWord(text) : null;
+  if (word === "auto" || (word === "max" && field.rapid)) return { ...nothing, empty: false, written: word };
+  const incremental = field.increments === true && /^I/i.test(text);
+  const bare = incremental ? text.slice(1) : text;
+  const read = readExpression(bare, known);
+  const parameter = parameterOf(spelling(bare));
+  switch (read.kind) {
+    case "number": {
+      const value = field.decimals === null ? read.value : kept(read.value, field.decimals);
+      const found = checkNumber(field, value);
+      return found ? wrong(found) : { value, written: parameter ?? value, incremental, computed: read.computed, empty: false, issue: null };
+    }
+    case "unknownParameter":
+      return { ...wrong(issue("unknownParameter", "error", { name: read.name }, field.id)), incremental, written: parameter };
+    default:
+      return {
+        ...wrong(issue(read.kind === "badExpression" ? "badExpression" : "notANumber", "error", { text }, field.id)),
+        written: parameter,
+      };
+  }
+}
+
+/** What a typed sum comes to, as one types it; null for anything else. It takes the place of the sum when its field is left. */
+export function sumOf(typed: string): string | null {
+  const { computed, value } = readText({ ...anyNumber, decimals: 6 }, typed);
+  return computed && value !== null ? String(value) : null;
+}
