@@ -1,5 +1,4 @@
-import type { WhichRegion } from "./asking.ts";
-import { showWhich } from "./which-place.ts";
+import { showWhich, type WhichRegion } from "../place/place.ts";
 
 /** Asks which cycle makes a shape; about a place of an opened work, when there is one. */
 export function WhichButton({ name, className, regionOf }: { readonly name: string; readonly className: string;

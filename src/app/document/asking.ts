@@ -1,8 +1,9 @@
 import type { TurnedShape } from "../../cycles/define.ts";
 import type { Site, Wanted } from "../../cycles/wanted.ts";
-import type { Pt, Ring, Segment } from "../../kernel/geometry/point.ts";
+import type { Pt, Segment } from "../../kernel/geometry/point.ts";
 import { axial, diameter, length, rounded, toDiameter } from "../../kernel/units.ts";
 import { readRows } from "../../program/job/contour-rows.ts";
+import type { WhichRegion } from "../place/place.ts";
 import { anyNumber, readText, type Field } from "../../program/values/field.ts";
 import type { ContourRow } from "../../program/job/job.ts";
 import { boxAroundContour, rowsOf } from "../../program/job/wanted-shape.ts";
@@ -19,18 +20,6 @@ export interface Sought {
   readonly stock: StockChoice;
   readonly typed: Readonly<Record<Measure, string>>;
   readonly rows: readonly ContourRow[];
-}
-
-/** A place in an opened work: its finished contour, the stretch that is meant, and what stands there. */
-export interface WhichRegion {
-  readonly contour: readonly Segment[];
-  readonly first: number;
-  readonly last: number;
-  readonly site: Site;
-  /** What stands in the chuck at the end of the work. */
-  readonly stock: readonly Ring[];
-  /** Which material is meant at first. */
-  readonly begins: "solid" | "now";
 }
 
 const MORE = Number.MIN_VALUE;

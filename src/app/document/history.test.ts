@@ -2,11 +2,9 @@ import { beforeEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job/job.ts";
 import { setPrompt } from "./edits.ts";
-import { showGuide, useGuidePlace } from "../place/guide-place.ts";
+import { seen, showGuide, showTools, showWhich, usePlace } from "../place/place.ts";
 import { redoStep, undoStep } from "./history.ts";
 import { begin } from "./store.ts";
-import { showTools, useToolPlace } from "./tool-place.ts";
-import { showWhich, useWhichPlace } from "./which-place.ts";
 
 const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
@@ -21,19 +19,19 @@ test.each([["undo", undoStep], ["redo", redoStep]] as const)("%s shows the work 
   showGuide("guide", String(cycle.number), other);
   showWhich();
   go();
-  expect([useGuidePlace.getState().path, useToolPlace.getState().shown, useWhichPlace.getState().shown]).toEqual([null, false, false]);
+  expect([seen(usePlace.getState()).page, usePlace.getState().over]).toEqual(["work", null]);
 });
 
 test("the page of the parameter itself stays: the change is seen there", () => {
   setPrompt(q, "1");
   showGuide("guide", String(cycle.number), q);
   undoStep();
-  expect(useGuidePlace.getState().path).toEqual(["guide", String(cycle.number), q]);
+  expect(seen(usePlace.getState())).toEqual({ page: "guide", path: ["guide", String(cycle.number), q] });
 });
 
 test("with nothing to take back the page stays", () => {
   begin(exampleJob(cycle), "other");
   showGuide("guide", String(cycle.number), q);
   redoStep();
-  expect(useGuidePlace.getState().path).not.toBeNull();
+  expect(seen(usePlace.getState()).page).toBe("guide");
 });

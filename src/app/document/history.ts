@@ -1,42 +1,32 @@
 import { draftOf } from "./edits.ts";
-import { showOpenWork } from "./go-home.ts";
-import { useGuidePlace } from "../place/guide-place.ts";
-import { openPrompt, usePlace } from "../place/place.ts";
-import { showOwn } from "./own-place.ts";
+import { openPrompt, seen, showOwn, showTools, uncoverAll, usePlace } from "../place/place.ts";
 import { useOwn } from "./own-store.ts";
-import { OF_WORKS } from "./of-works.ts";
 import { redo, undo, useSteps, type Steps } from "./steps.ts";
 import { useEditor } from "./store.ts";
-import { showTools } from "./tool-place.ts";
 import { useTools } from "./tool-store.ts";
 
-/** Goes one step through the history and shows what has changed: a row of the tools, a described cycle, or the work with the prompt. */
+/** The entry of a list that was not in it before. */
+const changedIn = <E extends { readonly id: string }>(list: readonly E[], before: readonly E[]): string | undefined =>
+  list.find((entry) => !before.includes(entry))?.id;
+
+/**
+ * Goes one step through the history and shows what has changed: a row of the tools, a described cycle, or the work with the prompt. Only
+ * the page of a parameter is not left for it, which shows the value itself.
+ */
 function goAndShow(way: keyof Steps, run: () => void): void {
   if (useSteps.getState()[way].length === 0) return;
-  // The list of works is not left for another place when a change of it is taken back.
-  if (useSteps.getState()[way].at(-1)?.of === OF_WORKS && useEditor.getState().work === null) return run();
-  const [{ job: before }, { list: tools }, { list: own }] = [useEditor.getState(), useTools.getState(), useOwn.getState()];
+  const [{ job: before }, { list: toolsBefore }, { list: ownBefore }] = [useEditor.getState(), useTools.getState(), useOwn.getState()];
   run();
-  const described = useOwn.getState().list;
-  if (described !== own) {
-    const known = new Set(own);
-    showOpenWork();
-    return showOwn(described.find((entry) => !known.has(entry))?.id);
-  }
-  const [{ job: after }, { list }] = [useEditor.getState(), useTools.getState()];
-  if (list !== tools) {
-    const known = new Set(tools);
-    showOpenWork();
-    showTools(list.find((entry) => !known.has(entry))?.id);
-    return;
-  }
-  const [now, then] = [after && draftOf(after), before && draftOf(before)];
-  const isSameWork = now && then && after !== before && after?.cycle === before?.cycle;
-  const changed = isSameWork ? Object.keys({ ...now, ...then }).find((q) => (now[q] ?? "") !== (then[q] ?? "")) : undefined;
-  // The page of a parameter shows its value: there the change is seen.
-  if (changed !== undefined && useGuidePlace.getState().path?.includes(changed)) return;
-  showOpenWork();
-  if (changed !== undefined && usePlace.getState().section === "prompts") openPrompt(changed, now?.[changed] ?? "");
+  const [{ job }, { list: tools }, { list: own }] = [useEditor.getState(), useTools.getState(), useOwn.getState()];
+  const [now, then] = [job && draftOf(job), before && draftOf(before)];
+  const isSameWork = now && then && job !== before && job?.cycle === before?.cycle;
+  const prompt = isSameWork ? Object.keys({ ...now, ...then }).find((q) => (now[q] ?? "") !== (then[q] ?? "")) : undefined;
+  const page = seen(usePlace.getState());
+  if (prompt !== undefined && page.page === "guide" && page.path.includes(prompt)) return;
+  uncoverAll();
+  if (own !== ownBefore) showOwn(changedIn(own, ownBefore));
+  else if (tools !== toolsBefore) showTools(changedIn(tools, toolsBefore));
+  else if (prompt !== undefined && usePlace.getState().section === "prompts") openPrompt(prompt, now?.[prompt] ?? "");
 }
 
 /** One step back, whatever was changed last. */

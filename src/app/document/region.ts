@@ -1,7 +1,7 @@
 import type { Site } from "../../cycles/wanted.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Operation, Run } from "../../program/state/run-types.ts";
-import type { WhichRegion } from "./asking.ts";
+import type { WhichRegion } from "../place/place.ts";
 
 /** The side from which an operation works. */
 export function siteOfOperation({ plan: { openSide } }: Operation): Site {

@@ -1,7 +1,7 @@
 import { part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import type { Operation } from "../../program/state/run-types.ts";
 import type { Residual } from "../../sim/simulation.ts";
-import type { WhichRegion } from "./asking.ts";
+import type { WhichRegion } from "../place/place.ts";
 import { siteOfOperation } from "./region.ts";
 
 /** What stays touches its contour within this, mm: a chord, and a sliver of the simulation. */

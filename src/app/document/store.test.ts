@@ -8,7 +8,7 @@ import { redoStep, undoStep } from "./history.ts";
 import { asOneStep, closeStep, redo, undo, useSteps } from "./steps.ts";
 import { begin, edit, open, useEditor } from "./store.ts";
 import { setCell } from "../../features/tools/tool-edits.ts";
-import { hideTools, useToolPlace } from "./tool-place.ts";
+import { seen, uncover, usePlace } from "../place/place.ts";
 import { takeTools, useTools } from "./tool-store.ts";
 
 const [cycle] = cuttingCycles;
@@ -63,19 +63,21 @@ test("typing on after undo does not bring back what was undone", () => {
   expect(value(first)).toBe(exampleJob(cycle).drafts[cycle.number]?.[first]);
 });
 
+const seenPage = () => seen(usePlace.getState()).page;
+
 test("tools and work are undone in the order they were changed, and the changed one is shown", () => {
   const cell = () => cellOf(useTools.getState().list[1] ?? shippedList[0]!, "RS");
   const [value0, cell0] = [value(first), cell()];
   setPrompt(first, "1");
   setCell("r2", "RS", "0.7");
   setPrompt(first, "12");
-  hideTools();
+  uncover();
   undoStep();
-  expect([value(first), cell(), useToolPlace.getState().shown]).toEqual(["1", "0.7", false]);
+  expect([value(first), cell(), seenPage()]).toEqual(["1", "0.7", "work"]);
   undoStep();
-  expect([value(first), cell(), useToolPlace.getState().shown, useToolPlace.getState().row]).toEqual(["1", cell0, true, "r2"]);
+  expect([value(first), cell(), seenPage(), usePlace.getState().tools.row]).toEqual(["1", cell0, "tools", "r2"]);
   undoStep();
-  expect([value(first), cell(), useToolPlace.getState().shown]).toEqual([value0, cell0, false]);
+  expect([value(first), cell(), seenPage()]).toEqual([value0, cell0, "work"]);
   redoStep();
   redoStep();
   expect([value(first), cell()]).toEqual(["1", "0.7"]);

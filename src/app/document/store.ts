@@ -1,4 +1,5 @@
 import type { HandedOn, Job } from "../../program/job/job.ts";
+import { showNoWork, showWork } from "../place/place.ts";
 import { closeStep, forget, goesOn, note, noteChange, stepBetween } from "./steps.ts";
 import { heldWhileTyping } from "../base/typing.ts";
 import { isProgram, type ProgramWork, type Work } from "./work.ts";
@@ -23,9 +24,12 @@ export function handOver(): void {
 
 /** Puts a state of the open job in place; what its steps are steps of. */
 export const putJob = (job: Job): void => useEditor.setState({ job });
+/** Opening a work, its undo and its redo all come through here: what they change is what is seen. */
 const putWork = (state: Editor): void => {
   handOver();
   useEditor.setState(state);
+  if (state.work === null) showNoWork();
+  else showWork(state.program !== null);
 };
 
 /**

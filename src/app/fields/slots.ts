@@ -6,7 +6,7 @@ import type { ContourRow } from "../../program/job/job.ts";
 import { slot } from "../base/slot.ts";
 import type { Work } from "../document/work.ts";
 import type { ShownVerdict } from "../findings/verdict.ts";
-import type { GuidePath } from "../place/guide-place.ts";
+import type { GuidePath } from "../place/place.ts";
 
 /*
  * Parts that dialogs and pages show of features beside or above them. The shell says which feature gives each (shell/slots.ts).

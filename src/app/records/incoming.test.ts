@@ -1,9 +1,8 @@
 import { expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job/job.ts";
-import { showTools, useToolPlace } from "../document/tool-place.ts";
+import { seen, showGuide, showTools, usePlace } from "../place/place.ts";
 import { useEditor } from "../document/store.ts";
-import { showGuide, useGuidePlace } from "../place/guide-place.ts";
 import { showIncoming, takeIncoming, useIncoming } from "./incoming.ts";
 
 const [cycle] = cuttingCycles;
@@ -15,6 +14,6 @@ test("a received work is what is seen once it is taken, whatever page stood open
   const work = { ...exampleJob(cycle), name: "RECEIVED" };
   showIncoming({ work, from: "link" });
   takeIncoming({ work, from: "link" });
-  expect([useGuidePlace.getState().path, useToolPlace.getState().shown, useIncoming.getState().incoming]).toEqual([null, false, null]);
+  expect([seen(usePlace.getState()).page, useIncoming.getState().incoming]).toEqual(["work", null]);
   expect(useEditor.getState().job?.name).toBe("RECEIVED");
 });

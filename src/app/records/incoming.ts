@@ -1,6 +1,5 @@
 import { create } from "zustand";
-import { showOpenWork } from "../document/go-home.ts";
-import { usePlace } from "../place/place.ts";
+import { toFirstPrompt } from "../place/place.ts";
 import type { ReadArchive } from "./archive.ts";
 import { startWork } from "./keep.ts";
 import type { Work } from "../document/work.ts";
@@ -28,7 +27,6 @@ export const leaveIncoming = (): void => useIncoming.setState({ incoming: null }
 /** Opens it as a work of its own; what was open stays on the device. */
 export function takeIncoming({ work }: Incoming): void {
   leaveIncoming();
-  showOpenWork();
-  usePlace.setState({ section: "prompts", prompt: null, field: null });
+  toFirstPrompt();
   startWork(work);
 }

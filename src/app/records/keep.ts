@@ -8,7 +8,7 @@ import type { Work } from "../document/work.ts";
 import { findWorks, keepWork, readWork, type Kept } from "./device.ts";
 import { persistOnce } from "../base/persist.ts";
 import { readSave, SAVE_VERSION } from "./save-file.ts";
-import { showElsewhere } from "../place/elsewhere.ts";
+import { showElsewhere } from "../place/place.ts";
 import { answerOthers, askFor, claimNew, claimWork, leaveBehind, onLost, ownedWorks, owns, releaseWork, rememberWork,
   sayChanged } from "./tab.ts";
 
@@ -164,7 +164,6 @@ export function startKeeping(): () => void {
     }
     known = name;
     if (!job || !work) return;
-    showElsewhere(null);
     if (!owns(work)) return void reclaim(work, job, wait);
     // Undo and redo come back to a state that was written, while another one waits or is on its way.
     if (written.get(work) === job && !waiting.has(work)) return;

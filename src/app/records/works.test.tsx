@@ -3,7 +3,7 @@ import { beforeEach, expect, test, vi } from "vitest";
 import { setTool } from "../document/edits.ts";
 import { redo, undo, useSteps } from "../document/steps.ts";
 import { begin, open, useEditor } from "../document/store.ts";
-import { showElsewhere, useElsewhere } from "../place/elsewhere.ts";
+import { elsewhere, usePlace } from "../place/place.ts";
 import { device, emptyDevice, someJob as job } from "./fake-device.ts";
 import { copyWork, openWork, refreshWorks, startKeeping, startWork, takeOver, unkeptWorks, useKeeping } from "./keep.ts";
 import { resume } from "../shell/resume.ts";
@@ -23,7 +23,6 @@ beforeEach(() => {
   begin(null, null);
   answers.length = 0;
   other.onmessage = null;
-  showElsewhere(null);
   useKeeping.setState({ works: [], damaged: 0, ready: false });
   useNotices.setState({ notices: [] });
 });
@@ -33,10 +32,10 @@ test("a work that another tab has open is not opened, but said; a copy of it lea
   device.taken.add("turnwise shared");
   await resume();
   expect(useEditor.getState()).toMatchObject({ work: null, job: null });
-  expect(useElsewhere.getState().shown).toEqual({ work: "shared", name: job.name, cause: "isOpen" });
+  expect(elsewhere(usePlace.getState())).toEqual({ work: "shared", name: job.name, cause: "isOpen" });
   const stop = startKeeping();
   await copyWork("shared", (name) => `${name}_2`);
-  expect(useElsewhere.getState().shown).toBeNull();
+  expect(elsewhere(usePlace.getState())).toBeNull();
   setTool(9);
   stop();
   await settle();
@@ -85,7 +84,7 @@ test("a work that another tab asks for goes there with the last key, and is clos
   expect(device.works.get(work ?? "")?.job).toMatchObject({ tool: 6 });
   expect(answers).toContainEqual({ kind: "given", work, to: "me", state: null });
   expect(useEditor.getState().work).toBeNull();
-  expect(useElsewhere.getState().shown).toMatchObject({ work, cause: "wasTaken" });
+  expect(elsewhere(usePlace.getState())).toMatchObject({ work, cause: "wasTaken" });
   expect(useSteps.getState().past).toEqual([]);
   stop();
 });
@@ -121,7 +120,7 @@ test("undo into a work that was let go takes it again as it is by now", async ()
   await rested();
   undo();
   await rested();
-  expect(useElsewhere.getState().shown).toMatchObject({ work, cause: "isOpen" });
+  expect(elsewhere(usePlace.getState())).toMatchObject({ work, cause: "isOpen" });
   expect(device.works.get(work ?? "")?.job).toMatchObject({ rapid: "5432" });
   stop();
 });

@@ -1,8 +1,6 @@
-import { Suspense, useEffect } from "react";
+import { Suspense, useEffect, type ComponentType } from "react";
 import { menuCycle } from "../fields/chooser/menu.ts";
-import { useGuidePlace } from "../place/guide-place.ts";
 import { Header } from "./Header.tsx";
-import { useCoursePlace } from "../place/course-place.ts";
 import { useChoice } from "../document/choice.ts";
 import { DropProgram } from "../../features/files/DropProgram.tsx";
 import { NumberKeys } from "../fields/keypad/NumberKeys.tsx";
@@ -11,23 +9,17 @@ import { HandedLine, IncomingWork } from "../../features/handing/HandedParts.tsx
 import { MissingPart } from "../base/MissingPart.tsx";
 import { Notices } from "./Notices.tsx";
 import { useVersion } from "../base/version.ts";
-import { useOwnPlace } from "../document/own-place.ts";
 import { lazyPart } from "../base/parts.ts";
 import { TaskLine } from "../../features/course/task/TaskLine.tsx";
 import { useCopying } from "../findings/copy.ts";
 import { fetchAtRest } from "../base/rest.ts";
-import { useElsewhere } from "../place/elsewhere.ts";
 import { useKeeping } from "../records/keep.ts";
 import { fetchShownTexts } from "../base/settings/shown-texts.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
-import { useSheetShown } from "../document/sheet-place.ts";
 import { StartPage } from "../../features/start/StartPage.tsx";
 import { useEditor } from "../document/store.ts";
-import { useToolPlace } from "../document/tool-place.ts";
-import { hideComparison, useComparing } from "../place/compare-place.ts";
-import { hideWhich, useWhichPlace } from "../document/which-place.ts";
+import { closeOver, elsewhere, seen, usePlace, type Page } from "../place/place.ts";
 import { useBringing } from "../records/bring-in-place.ts";
-import { useWorksPlace } from "../place/works-place.ts";
 
 /** Parts that are fetched when they are first shown, together with the texts that they need. */
 const later = <M,>(fetch: () => Promise<M>) => async (): Promise<M> => (await Promise.all([fetch(), fetchShownTexts()]))[0];
@@ -58,41 +50,52 @@ const ProgramWorkplace = lazyPart(async () => ({ default: (await fetchEditor()).
 /** Fetched when there is something to say. */
 const UpdateBar = lazyPart(async () => ({ default: (await import("../../features/offline/UpdateBar.tsx")).UpdateBar }));
 
-/** What stands where no work is open: the start page, all works, the course, or why the work that was asked for is not open here. */
-function Entrance() {
-  const works = useWorksPlace((p) => p.shown);
-  const course = useCoursePlace((p) => p.shown);
-  const elsewhere = useElsewhere((e) => e.shown);
-  if (elsewhere) {
-    return (
-      <Suspense>
-        <ElsewherePage of={elsewhere} />
-      </Suspense>
-    );
-  }
-  if (!works && !course) return <StartPage course={<CourseEntrance />} />;
-  return <Suspense>{course ? <CoursePage /> : <WorksPage />}</Suspense>;
+const Start = () => <StartPage course={<CourseEntrance />} />;
+
+/** The workplace of the open job or program. A job of a cycle that this edition does not know is none. */
+function OpenWork() {
+  const t = useFirstTexts().page;
+  const hasJob = useEditor((s) => s.job !== null && menuCycle(s.job.cycle) !== undefined);
+  const program = useEditor((s) => (s.program ? s.work : null));
+  if (program === null) return hasJob ? <Workplace /> : <Start />;
+  return (
+    <Suspense fallback={<p className="editor-loading soft" role="status">{t.loading}</p>}>
+      <ProgramWorkplace key={program} />
+    </Suspense>
+  );
 }
 
-/** The page: the top line, and below it the tool table, the choice of work, or the workplace of the open job or program. */
+function Elsewhere() {
+  const of = usePlace(elsewhere);
+  return of && <ElsewherePage of={of} />;
+}
+
+const PAGES: Readonly<Record<Page["page"], ComponentType>> = {
+  start: Start,
+  works: WorksPage,
+  course: CoursePage,
+  work: OpenWork,
+  elsewhere: Elsewhere,
+  sheet: SheetPage,
+  tools: ToolPage,
+  own: OwnPage,
+  guide: GuidePage,
+};
+
+/** Pages that a task is not worked on. */
+const WITHOUT_TASK: readonly Page["page"][] = ["sheet", "tools", "own", "guide"];
+
+/** The page: the top line, what is seen, and what lies over it. */
 export function App() {
   const ready = useKeeping((k) => k.ready);
-  const job = useEditor((s) => (s.job && menuCycle(s.job.cycle) ? s.job : null));
-  const tools = useToolPlace((p) => p.shown);
-  const own = useOwnPlace((p) => p.shown);
-  const program = useEditor((s) => (s.program ? s.work : null));
-  const programName = useEditor((s) => s.program?.name);
+  const name = useEditor((s) => s.job?.name ?? s.program?.name);
+  const page = usePlace((p) => seen(p).page);
+  const over = usePlace((p) => p.over);
   const bringing = useBringing((b) => b.shown);
-  const which = useWhichPlace();
-  const { showBlock, against } = useComparing();
   const { choice } = useChoice();
   const refused = useCopying((c) => c.state === "refused");
-  const t = useFirstTexts().page;
-  const sheet = useSheetShown();
-  const guide = useGuidePlace((p) => p.path !== null);
   const newer = useVersion((v) => v.newer !== "none" && !v.later);
-  const course = useCoursePlace((p) => (p.shown ? p.title : ""));
-  const name = job?.name ?? programName ?? course;
+  const Seen = PAGES[page];
   useEffect(() => {
     document.title = name ? `${name} · Turnwise` : "Turnwise";
   }, [name]);
@@ -112,47 +115,17 @@ export function App() {
         )}
       </div>
       <HandedLine />
-      {ready && !guide && !tools && !own && !sheet && <TaskLine />}
-      {ready && guide && (
+      {ready && !WITHOUT_TASK.includes(page) && <TaskLine />}
+      {ready && (
         <Suspense>
-          <GuidePage />
+          <Seen />
         </Suspense>
       )}
-      {ready && !guide && tools && !own && (
+      {ready && over && (
         <Suspense>
-          <ToolPage />
-        </Suspense>
-      )}
-      {ready && !guide && own && (
-        <Suspense>
-          <OwnPage />
-        </Suspense>
-      )}
-      {ready && !guide && !tools && !own && sheet && (
-        <Suspense>
-          <SheetPage />
-        </Suspense>
-      )}
-      {ready && !guide && !tools && !own && !sheet && program !== null && (
-        <Suspense fallback={<p className="editor-loading soft" role="status">{t.loading}</p>}>
-          <ProgramWorkplace key={program} />
-        </Suspense>
-      )}
-      {ready && !guide && !tools && !own && !sheet && program === null && (job
-        ? (
-          <Suspense>
-            <Workplace />
-          </Suspense>
-        )
-        : <Entrance />)}
-      {ready && showBlock && (
-        <Suspense>
-          <CompareDialog done={hideComparison} showBlock={showBlock} against={against} />
-        </Suspense>
-      )}
-      {ready && which.shown && (
-        <Suspense>
-          <WhichCycle done={hideWhich} region={which.region} />
+          {over.dialog === "which"
+            ? <WhichCycle done={closeOver} region={over.region} />
+            : <CompareDialog done={closeOver} showBlock={over.showBlock} against={over.against} />}
         </Suspense>
       )}
       <IncomingWork />

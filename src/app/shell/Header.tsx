@@ -1,19 +1,13 @@
 import { Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
 import { goHome } from "../document/go-home.ts";
-import { useGuidePlace } from "../place/guide-place.ts";
 import { Icon } from "../base/Icon.tsx";
-import { usePlace } from "../place/place.ts";
-import { useElsewhere } from "../place/elsewhere.ts";
+import { seen, showTools, usePlace } from "../place/place.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
-import { useOwnPlace } from "../document/own-place.ts";
-import { useSheetShown } from "../document/sheet-place.ts";
 import { CreateProgram } from "../../features/start/CreateProgram.tsx";
 import { redoStep, undoStep } from "../document/history.ts";
 import { lazyPart } from "../base/parts.ts";
 import { useSteps } from "../document/steps.ts";
 import { useEditor } from "../document/store.ts";
-import { showTools, useToolPlace } from "../document/tool-place.ts";
-import { useWorksPlace } from "../place/works-place.ts";
 
 /** Fetched when it is first opened. */
 const SettingsDialog = lazyPart(async () => ({ default: (await import("./SettingsDialog.tsx")).SettingsDialog }));
@@ -37,12 +31,9 @@ export function Header() {
   const program = useEditor((s) => s.program);
   const past = useSteps((s) => s.past.length > 0);
   const future = useSteps((s) => s.future.length > 0);
-  const own = useOwnPlace((p) => p.shown);
-  const tools = useToolPlace((p) => p.shown) || own;
-  const elsewhere = useElsewhere((e) => e.shown !== null);
-  const works = useWorksPlace((p) => p.shown) && !elsewhere;
-  const guide = useGuidePlace((p) => p.path !== null);
-  const sheet = useSheetShown() || guide;
+  const page = usePlace((p) => seen(p).page);
+  const own = page === "own";
+  const tools = page === "tools" || own;
   const toTools = useRef<HTMLButtonElement>(null);
   const wereTools = useRef(false);
   const words = job && t.menu.of[job.cycle];
@@ -54,7 +45,7 @@ export function Header() {
 
   return (
     <header className="top" aria-label={t.page.header}>
-      {words && section === "prompts" && !tools && !sheet && (
+      {words && section === "prompts" && page === "work" && (
         <a className="skip" href="#prompts" onClick={toPrompts}>{t.page.skipToPrompts}</a>
       )}
       <a className="brand" href="#/" aria-label={t.page.home} title={t.page.home} onClick={(event) => {
@@ -70,7 +61,7 @@ export function Header() {
           <span className="number">{job.cycle}</span> {words.name}
         </h1>
       )}
-      {!tools && !words && !program && works && <h1 className="open-cycle">{t.page.works.title}</h1>}
+      {!tools && !words && !program && page === "works" && <h1 className="open-cycle">{t.page.works.title}</h1>}
       {!tools && program && <h1 className="open-cycle">{program.name}</h1>}
       <div className="top-buttons">
         <button type="button" className="button icon plain" aria-label={t.page.undo} title={`${t.page.undo} (Ctrl+Z)`} disabled={!past}

@@ -21,7 +21,7 @@ import { SectionTabs } from "../place/SectionTabs.tsx";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { beforeLeaving, useEditor } from "../document/store.ts";
 import { useToolList } from "../document/work-tools.ts";
-import { thirdColumn, useThirdColumn } from "../base/use-media.ts";
+import { useThirdColumn } from "../base/use-media.ts";
 import { BlockPanel } from "../../features/editor/BlockPanel.tsx";
 import { followProgram } from "../../features/editor/follow.ts";
 import { openChosen } from "../fields/blocks/choose-block.ts";
@@ -50,7 +50,6 @@ function useProgramSession(): void {
     // Here as well as in the lathe's view: a milled program has another one.
     playback.playsOf(work);
     openSession(program, work);
-    if (usePlace.getState().section === "prompts") showSection(thirdColumn() ? "structure" : "text");
     const stop = followProgram();
     beforeLeaving.add(handOverText);
     return () => {

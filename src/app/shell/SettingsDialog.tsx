@@ -1,7 +1,7 @@
 import { Suspense, useLayoutEffect, useRef } from "react";
 import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
 import { OfflineState } from "../../features/offline/OfflineState.tsx";
-import { showOwn } from "../document/own-place.ts";
+import { showOwn } from "../place/place.ts";
 import { lazyPart } from "../base/parts.ts";
 import { changeLanguage, changeSettings, useSettings } from "../base/settings/settings.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";

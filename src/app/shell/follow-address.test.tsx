@@ -1,13 +1,10 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job/job.ts";
-import { hideOwn, showOwn } from "../document/own-place.ts";
-import { openPrompt, showSection, usePlace } from "../place/place.ts";
+import { openPrompt, openToolRow, seen, showOwn, showSection, showTools, showWhich, uncover, usePlace } from "../place/place.ts";
 import { useNotices, withdraw } from "../base/notices.ts";
 import { startKeeping, startWork } from "../records/keep.ts";
 import { begin, useEditor } from "../document/store.ts";
-import { hideTools, openRow, showTools, useToolPlace } from "../document/tool-place.ts";
-import { hideWhich, showWhich, useWhichPlace } from "../document/which-place.ts";
 import { followAddress } from "./follow-address.ts";
 import { goHome } from "../document/go-home.ts";
 
@@ -20,10 +17,6 @@ let stops: (() => void)[] = [];
 beforeEach(() => {
   begin(null, null);
   usePlace.setState(place);
-  hideTools();
-  hideOwn();
-  hideWhich();
-  openRow(null);
   withdraw("workNotHere");
   history.pushState(null, "", "/");
   stops = [startKeeping(), followAddress()];
@@ -54,7 +47,7 @@ test("Back closes a dialog first, and an address that is typed closes it on the 
   expect(usePlace.getState().section).toBe("setup");
   dialog.open = true;
   location.hash = "#/tools/5";
-  await until(() => expect(useToolPlace.getState().shown).toBe(true));
+  await until(() => expect(seen(usePlace.getState()).page).toBe("tools"));
   expect(dialog.open).toBe(false);
   dialog.remove();
   history.back();
@@ -70,7 +63,7 @@ test("Back goes through tools, set-up and work to the start page, and Forward th
   showTools("r5");
   await is("#/tools/5");
   history.back();
-  await until(() => expect(useToolPlace.getState().shown).toBe(false));
+  await until(() => expect(seen(usePlace.getState()).page).toBe("work"));
   await is(`#/work/${work}/setup`);
   history.back();
   await until(() => expect(usePlace.getState().section).toBe("prompts"));
@@ -82,13 +75,13 @@ test("Back goes through tools, set-up and work to the start page, and Forward th
   history.forward();
   await until(() => expect(usePlace.getState().section).toBe("setup"));
   history.forward();
-  await until(() => expect(useToolPlace.getState()).toMatchObject({ shown: true, row: "r5" }));
+  await until(() => expect([location.hash, usePlace.getState().tools.row]).toEqual(["#/tools/5", "r5"]));
 });
 
 test("what is changed in one go, and what does not change, is one entry or none", async () => {
   const before = history.length;
   showTools("r3");
-  hideTools();
+  uncover();
   startWork(job);
   openPrompt("Q494", "-3.25");
   await settled();
@@ -104,11 +97,11 @@ test("going through the rows of a table is no journey, and closing it goes back"
   const before = history.length;
   showTools();
   await is("#/tools");
-  openRow("r2");
+  openToolRow("r2");
   await is("#/tools/2");
-  openRow("r7");
+  openToolRow("r7");
   await is("#/tools/7");
-  hideTools();
+  uncover();
   await is(`#/work/${work}`);
   expect(history.length).toBe(before + 1);
   history.forward();
@@ -119,10 +112,10 @@ test("the question which cycle has an entry, and the own cycles too", async () =
   showWhich();
   await is("#/which");
   history.back();
-  await until(() => expect(useWhichPlace.getState().shown).toBe(false));
+  await until(() => expect(usePlace.getState().over).toBeNull());
   showOwn();
   await is("#/own");
-  hideOwn();
+  uncover();
   await is("#/");
 });
 

@@ -1,16 +1,8 @@
 import { z } from "zod/mini";
-import { useCoursePlace } from "../place/course-place.ts";
-import { useOwnPlace } from "../document/own-place.ts";
-import { useGuidePlace } from "../place/guide-place.ts";
-import { usePlace } from "../place/place.ts";
-import { useElsewhere } from "../place/elsewhere.ts";
 import { useEditor } from "../document/store.ts";
-import { useSheetPlace } from "../document/sheet-place.ts";
-import { useToolPlace } from "../document/tool-place.ts";
-import { useWhichPlace } from "../document/which-place.ts";
-import { useWorksPlace } from "../place/works-place.ts";
+import { usePlace } from "../place/place.ts";
 import { isShareLink, parseAddress, printAddress } from "../place/address.ts";
-import { beginProgram, goTo, here } from "./here.ts";
+import { goTo, here } from "./here.ts";
 
 /** What the browser keeps with each entry of its history, over a reload too. */
 const text = z.string().check(z.maxLength(500));
@@ -89,7 +81,7 @@ function closeDialogs(): boolean {
 
 /**
  * From now on the browser's history and address go along with what the page shows, and what the page shows with Back and Forward.
- * The stores say where the page is; the address only follows them, and asks them. `begun` is the address that the page has opened: it
+ * The place says what is seen; the address only follows it. `begun` is the address that the page has opened: it
  * may have been changed while that went on.
  */
 export function followAddress(begun = location.hash): () => void {
@@ -126,7 +118,7 @@ export function followAddress(begun = location.hash): () => void {
     history.pushState(noteOf(shown), "", now);
     shown = now;
   };
-  // All that one press changes is one step: the stores change one after the other.
+  // All that one press changes is one step.
   const soon = () => {
     if (waiting) return;
     waiting = true;
@@ -167,22 +159,13 @@ export function followAddress(begun = location.hash): () => void {
   const note = () => leave(shown, noteOf(entry()?.from ?? null));
   const stops = [
     useEditor.subscribe((now, before) => {
-      if (now.work === before.work) return;
-      if (now.program && !going) beginProgram();
-      soon();
+      if (now.work !== before.work) soon();
     }),
     usePlace.subscribe((now, before) => {
-      if (now.section !== before.section) soon();
+      const isElsewhere = (["pages", "over", "section", "tools", "own"] as const).some((of) => now[of] !== before[of]);
+      if (isElsewhere) soon();
       if (now.prompt !== before.prompt) noteSoon();
     }),
-    useToolPlace.subscribe(soon),
-    useOwnPlace.subscribe(soon),
-    useGuidePlace.subscribe(soon),
-    useSheetPlace.subscribe(soon),
-    useWhichPlace.subscribe(soon),
-    useWorksPlace.subscribe(soon),
-    useCoursePlace.subscribe(soon),
-    useElsewhere.subscribe(soon),
   ];
   addEventListener("popstate", onBack);
   addEventListener("pagehide", note);

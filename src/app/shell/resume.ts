@@ -1,6 +1,6 @@
 import { begin } from "../document/store.ts";
 import { findWorks, readWork, type Kept } from "../records/device.ts";
-import { showElsewhere } from "../place/elsewhere.ts";
+import { showElsewhere } from "../place/place.ts";
 import { notice } from "../base/notices.ts";
 import { claimPatiently, keepState, noteWritten, unkeptWorks, useKeeping } from "../records/keep.ts";
 import { readSave } from "../records/save-file.ts";

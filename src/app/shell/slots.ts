@@ -1,4 +1,4 @@
-import { whichSlot } from "../document/which-place.ts";
+import { whichSlot } from "../document/which-slot.ts";
 import { contourTableSlot, drawingSlot, exportSlot, handOnSlot, newProgramSlot, promptMoreSlot, setupStartSlot, taughtFilesSlot,
   teachSlot } from "../fields/slots.ts";
 

@@ -11,7 +11,7 @@ import { comparisonText, findingTexts, summaryText, verdictChange, wholeTexts, t
 import { isWriting, tallyOf, type ComparedFile } from "./compared.ts";
 import { Differences, rowsIn } from "./Differences.tsx";
 import { OtherProgram } from "./OtherProgram.tsx";
-import type { OtherText, ShowBlock } from "../../app/place/compare-place.ts";
+import type { OtherText, ShowBlock } from "../../app/place/place.ts";
 import { changedSinceOpened, presentProgram, withOtherText } from "../../app/fields/compare/sides.ts";
 import { useProgramComparison, type ComparedPrograms } from "./use-compared.ts";
 import { laterTexts } from "../../app/base/settings/later-texts.ts";

@@ -1,6 +1,6 @@
 import { useEffect } from "react";
 import { useCourseIndex } from "../../app/records/course/content.ts";
-import { useCoursePlace } from "../../app/place/course-place.ts";
+import { coursePage, usePlace } from "../../app/place/place.ts";
 import { CourseList } from "./CourseList.tsx";
 import { LessonView } from "./LessonView.tsx";
 import { startLearning } from "../../app/records/course/progress.ts";
@@ -11,10 +11,16 @@ import "./course.css";
 export function CoursePage() {
   const t = useCourseTexts();
   const { lessons } = useCourseIndex();
-  const lesson = useCoursePlace((p) => p.lesson);
+  const lesson = usePlace((p) => coursePage(p)?.lesson ?? null);
   useEffect(startLearning, []);
   const open = lessons.find(({ id }) => id === lesson);
   const title = open ? t.openLesson(String(open.number), open.title) : t.title;
-  useEffect(() => useCoursePlace.setState({ title }), [title]);
+  useEffect(() => {
+    const before = document.title;
+    document.title = `${title} · Turnwise`;
+    return () => {
+      document.title = before;
+    };
+  }, [title]);
   return lesson === null ? <CourseList /> : <LessonView key={lesson} entry={open ?? null} />;
 }

@@ -3,7 +3,8 @@ import { valueIn, withSlid } from "../../course/played.ts";
 import { programOfLines } from "../../course/start-of.ts";
 import type { Lesson } from "../../course/lesson.ts";
 import type { LessonPage } from "../../course/progress.ts";
-import { goToCourse } from "../../app/document/go-home.ts";
+import { goToEntrance } from "../../app/document/go-home.ts";
+import { coursePage, usePlace } from "../../app/place/place.ts";
 import { clock } from "../../app/base/clock.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { createPlaybackStore } from "../../app/calculation/playback-store.ts";
@@ -11,7 +12,6 @@ import { atOnce } from "../../app/base/settings/later-texts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { fetchLesson, inScreenLanguage, useCourseIndex, type LessonEntry } from "../../app/records/course/content.ts";
 import { courseHref } from "../../app/place/course-links.ts";
-import { useCoursePlace } from "../../app/place/course-place.ts";
 import { LessonPicture } from "./LessonPicture.tsx";
 import { LessonProgram } from "./LessonProgram.tsx";
 import { LessonSlide } from "./LessonSlide.tsx";
@@ -109,14 +109,14 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
   const t = useCourseTexts();
   const language = useSettings((s) => s.language);
   const lesson = useLesson(entry.id);
-  const asked = useCoursePlace((p) => p.page);
+  const asked = usePlace((p) => coursePage(p)?.at ?? 1);
   const at: LessonPage = typeof asked === "number" && asked > entry.pages ? entry.pages : asked;
   const main = useRef<HTMLElement>(null);
   const { back, on } = useWays(entry, at);
   useTurning(main, (by) => {
     const to = by < 0 ? back : on;
     // The list is not a page that one turns to.
-    if (to && to.lesson === entry.id) goToCourse(to.lesson, to.page);
+    if (to && to.lesson === entry.id) goToEntrance({ page: "course", lesson: to.lesson, at: to.page });
   });
   useEffect(() => noteLessonPage({ lesson: entry.id, number: entry.number, page: at }), [entry, at]);
   useEffect(() => {

@@ -8,7 +8,7 @@ import type { FindingEntry } from "../../app/findings/entry.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { CalledTool } from "./operations/CalledTool.tsx";
 import { DescribeCycle } from "../../app/fields/own/DescribeCycle.tsx";
-import { useGuidedBlock } from "../../app/place/guide-place.ts";
+import { useGuidedBlock } from "../../app/place/open-call.ts";
 import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
 import { showFile, useShownBeside } from "../../app/document/shown-file.ts";
 import { placeInFile } from "../../app/calculation/issue-text.ts";

@@ -1,6 +1,6 @@
 import { Suspense } from "react";
 import { MoreLater } from "../../app/fields/said/MoreLater.tsx";
-import { useGuidedBlock } from "../../app/place/guide-place.ts";
+import { useGuidedBlock } from "../../app/place/open-call.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
 import type { BlockKind } from "../../app/fields/blocks/block-kind.ts";

@@ -1,5 +1,5 @@
 import { Suspense, useState } from "react";
-import { showComparison, type ShowBlock } from "../../app/place/compare-place.ts";
+import { type ShowBlock, showComparison } from "../../app/place/place.ts";
 import { canSaveFiles } from "../../app/records/files/file-handle.ts";
 import { shownFile } from "../../app/document/shown-file.ts";
 import type { Obstacle } from "../../app/records/files/SaveProblem.tsx";

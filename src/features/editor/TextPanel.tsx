@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useRef, useState } from "react";
-import type { ShowBlock } from "../../app/place/compare-place.ts";
+import type { ShowBlock } from "../../app/place/place.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useVerdict } from "../../app/findings/use-findings.ts";
 import { copyProgram } from "../../app/fields/leaving/copy-program.ts";

@@ -3,7 +3,7 @@ import { isRecalled } from "../../cycles/params.ts";
 import type { CycleNumber, ParamTextId } from "../../cycles/index.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
-import { showGuide } from "../../app/place/guide-place.ts";
+import { showGuide } from "../../app/place/place.ts";
 import { StepPlayer } from "./StepPlayer.tsx";
 import { useCycleRun } from "./use-cycle-run.ts";
 import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";

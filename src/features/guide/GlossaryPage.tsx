@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import { TERMS, type TermId } from "../../i18n/glossary-text.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { showGuide } from "../../app/place/guide-place.ts";
+import { showGuide } from "../../app/place/place.ts";
 import { Said, SaidOnPage } from "../../app/fields/said/Said.tsx";
 import { TermUses } from "./TermUses.tsx";
 import { useGlossary } from "../../app/fields/said/use-glossary.ts";

@@ -1,5 +1,5 @@
 import type { ReactNode } from "react";
-import { showGuide, type GuidePath } from "../../app/place/guide-place.ts";
+import { type GuidePath, showGuide } from "../../app/place/place.ts";
 
 /** The way to another page of the guide, in a list of such ways. */
 export function GuideButton({ to, children }: { readonly to: GuidePath; readonly children: ReactNode }) {

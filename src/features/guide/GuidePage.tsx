@@ -11,7 +11,7 @@ import { CyclePage } from "./CyclePage.tsx";
 import { FormLinks, formOfPage, FormPage } from "./FormPage.tsx";
 import { GlossaryPage } from "./GlossaryPage.tsx";
 import { GuideButton } from "./GuideButton.tsx";
-import { hideGuide, showGuide, useGuidePlace, type GuidePath } from "../../app/place/guide-place.ts";
+import { guidePath, type GuidePath, showGuide, uncover, usePlace } from "../../app/place/place.ts";
 import { OwnCyclePage } from "./OwnCyclePage.tsx";
 import { ParameterPage } from "./ParameterPage.tsx";
 import { isSetupPage, SETUP_PAGES, type SetupPageId } from "./setup-variants.ts";
@@ -124,7 +124,7 @@ function Shown({ path: [page, first, second] }: { readonly path: GuidePath }) {
 export function GuidePage() {
   const t = useGuideTexts();
   const advice = useAdviceTexts();
-  const shown = useGuidePlace((p) => p.path) ?? [];
+  const shown = usePlace(guidePath) ?? [];
   const [page, first, second] = shown;
   const back = useRef<HTMLButtonElement>(null);
   useEffect(() => back.current?.focus(), []);
@@ -137,10 +137,10 @@ export function GuidePage() {
     <main className="guide-page" ref={main} onKeyDown={(event) => {
       if (event.key !== "Escape" || event.defaultPrevented) return;
       event.preventDefault();
-      hideGuide();
+      uncover();
     }}>
       <nav className="guide-bar" aria-label={t.cycles.title}>
-        <button ref={back} type="button" className="button" aria-label={t.backLong} onClick={hideGuide}>
+        <button ref={back} type="button" className="button" aria-label={t.backLong} onClick={uncover}>
           <Icon name="back" /> {t.back}
         </button>
         {page === "guide" && second !== undefined && Number(first) > 0 && (

@@ -13,7 +13,7 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { AdviceItems } from "./AdviceItems.tsx";
 import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
-import { showGuide } from "../../app/place/guide-place.ts";
+import { showGuide } from "../../app/place/place.ts";
 import { guideSources } from "./guide-source.ts";
 import { StartingValues } from "./StartingValues.tsx";
 import { termsOf } from "./terms.ts";

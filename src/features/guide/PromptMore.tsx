@@ -1,7 +1,7 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { showGuide, type GuidePath } from "../../app/place/guide-place.ts";
+import { type GuidePath, showGuide } from "../../app/place/place.ts";
 import { useAdviceOn, useAdviceTextsSoon } from "../../app/fields/said/use-advice.ts";
 import { useGuideTextsSoon } from "../../app/fields/said/use-guide-texts.ts";
 import "../../app/fields/said/prompt-more.css";

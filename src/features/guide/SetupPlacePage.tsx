@@ -9,7 +9,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { useToolList } from "../../app/document/work-tools.ts";
 import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
-import { showGuide } from "../../app/place/guide-place.ts";
+import { showGuide } from "../../app/place/place.ts";
 import { setupPageWords } from "./setup-page-words.ts";
 import { SETUP_PAGES, type SetupPageId } from "./setup-variants.ts";
 import { takeSetup } from "./take-value.ts";

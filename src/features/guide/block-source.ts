@@ -11,7 +11,7 @@ import { shownFile } from "../../app/document/shown-file.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { withText, type ProgramWork } from "../../app/document/work.ts";
 import { blockSample } from "./block-samples.ts";
-import { useGuidedBlock } from "../../app/place/guide-place.ts";
+import { useGuidedBlock } from "../../app/place/open-call.ts";
 
 /** A block that the guide shows something at: of the open program, or of a sample. */
 export interface BlockSource {

@@ -14,7 +14,7 @@ import { readJob, setJobOf } from "../../app/document/reading.ts";
 import { handedOn, useEditor } from "../../app/document/store.ts";
 import { toolTable } from "../../app/document/work-tools.ts";
 import { useShownBeside } from "../../app/document/shown-file.ts";
-import { useOpenCall } from "../../app/place/guide-place.ts";
+import { useOpenCall } from "../../app/place/open-call.ts";
 import { speaksOf } from "../../app/fields/said/open-call.ts";
 
 /** What the guide shows a cycle with: the operator's own values, or those of the example. */

@@ -12,7 +12,7 @@ import { printedText } from "../../app/document/printed.ts";
 import { readJob } from "../../app/document/reading.ts";
 import { forget, undo } from "../../app/document/steps.ts";
 import { useEditor } from "../../app/document/store.ts";
-import { useOpenCall } from "../../app/place/guide-place.ts";
+import { useOpenCall } from "../../app/place/open-call.ts";
 import { guideSources } from "./guide-source.ts";
 import { takeIntoBlock, takeValue } from "./take-value.ts";
 

@@ -6,7 +6,7 @@ import { untilHere } from "../../app/base/parts.ts";
 import { closeStep } from "../../app/document/steps.ts";
 import { edit, useEditor } from "../../app/document/store.ts";
 import type { SizedWord } from "./form-values.ts";
-import { useOpenCall, type OpenCall } from "../../app/place/guide-place.ts";
+import { type OpenCall, useOpenCall } from "../../app/place/open-call.ts";
 import { withSetupValue, type SetupPageId } from "./setup-variants.ts";
 import { takeOver } from "./taken.ts";
 

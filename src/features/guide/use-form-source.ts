@@ -12,7 +12,7 @@ import { parametersBefore } from "../../app/fields/blocks/block-context.ts";
 import { useOutcome } from "../../app/calculation/outcome.ts";
 import { shownFile, useShownBeside } from "../../app/document/shown-file.ts";
 import { useEditor } from "../../app/document/store.ts";
-import { useGuidedBlock } from "../../app/place/guide-place.ts";
+import { useGuidedBlock } from "../../app/place/open-call.ts";
 
 /** A corner, and a tool, to show forms at. */
 const CORNER: readonly PlaneSegment[] = [{ kind: "line", from: { x: 0, y: 60 }, to: { x: 0, y: 0 } }, {

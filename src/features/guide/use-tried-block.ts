@@ -8,7 +8,7 @@ import { toolTable } from "../../app/document/work-tools.ts";
 import { useShownName } from "../../app/document/shown-file.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { blockSources, fieldOfWord, textWith, type BlockSource } from "./block-source.ts";
-import { useGuidedBlock } from "../../app/place/guide-place.ts";
+import { useGuidedBlock } from "../../app/place/open-call.ts";
 import { kindredTools } from "./setup-variants.ts";
 import { compared, type RanValue, type TriedOutcome } from "./tried.ts";
 import { useMade, type MadeForPage } from "./use-made.ts";

@@ -10,7 +10,7 @@ import { redo, undo, useSteps } from "../../app/document/steps.ts";
 import { readKeptOwn, startOwn, writeKeptOwn } from "../../app/records/keep-own.ts";
 import { describeBlock } from "../../app/fields/blocks/own-edits.ts";
 import { importOwnFile } from "./own-files.ts";
-import { showOwn, useOwnPlace } from "../../app/document/own-place.ts";
+import { showOwn, usePlace } from "../../app/place/place.ts";
 import { takeOwn, useOwn } from "../../app/document/own-store.ts";
 import { OwnPage } from "./OwnPage.tsx";
 import { texts } from "../../i18n/index.ts";
@@ -32,7 +32,7 @@ beforeEach(() => {
   localStorage.removeItem("turnwise/own-cycles/damaged");
   useNotices.setState({ notices: [] });
   takeOwn([]);
-  useOwnPlace.setState({ shown: true, row: null, focus: 0 });
+  usePlace.setState({ own: { row: null, focus: 0 } });
 });
 afterEach(cleanup);
 

@@ -4,10 +4,9 @@ import { Icon } from "../../app/base/Icon.tsx";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { TableStatus, type TableSaid } from "../../app/fields/table/TableStatus.tsx";
 import { TableTabs } from "../../app/fields/table/TableTabs.tsx";
-import { showKind, showTools } from "../../app/document/tool-place.ts";
+import { openOwn, showToolKind, showTools, uncover, usePlace } from "../../app/place/place.ts";
 import { addOwn, duplicateOwn, isFull, removeOwn } from "../../app/fields/blocks/own-edits.ts";
 import { exportOwn, importOwnFile } from "./own-files.ts";
-import { hideOwn, openOwn, useOwnPlace } from "../../app/document/own-place.ts";
 import { libraryOf } from "../../app/document/own-reading.ts";
 import { useOwn } from "../../app/document/own-store.ts";
 import { OwnForm } from "./OwnForm.tsx";
@@ -18,7 +17,7 @@ import "./own.css";
 export function OwnPage() {
   const t = useTableTexts().own;
   const list = useOwn((s) => s.list);
-  const { row: asked, focus } = useOwnPlace();
+  const { row: asked, focus } = usePlace((p) => p.own);
   const [said, setSaid] = useState<TableSaid | null>(null);
   const page = useRef<HTMLElement>(null);
   const file = useRef<HTMLInputElement>(null);
@@ -65,7 +64,7 @@ export function OwnPage() {
   return (
     <main className="tool-page own-page" ref={page}>
       <div className="tool-head">
-        <button type="button" className="button" aria-label={t.backLong} onClick={hideOwn}>
+        <button type="button" className="button" aria-label={t.backLong} onClick={uncover}>
           <Icon name="back" /> {t.back}
         </button>
         <div className="tool-title">
@@ -98,8 +97,7 @@ export function OwnPage() {
         focusRow();
       }} />
       <TableTabs open="own" onOwn={() => undefined} onTools={(kind) => {
-        hideOwn();
-        showKind(kind);
+        showToolKind(kind);
         showTools();
       }} />
       <div className="tool-list">

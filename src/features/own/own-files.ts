@@ -3,7 +3,7 @@ import { OWN_SIZES } from "../../program/edits/own-cycle.ts";
 import { readLibraryFile, writeLibrary } from "../../program/edits/own-library.ts";
 import { downloadText } from "../../app/base/download.ts";
 import { takeEntries } from "../../app/fields/blocks/own-edits.ts";
-import { openOwn } from "../../app/document/own-place.ts";
+import { openOwn } from "../../app/place/place.ts";
 import { libraryOf } from "../../app/document/own-reading.ts";
 import { useOwn } from "../../app/document/own-store.ts";
 import type { TableSaid } from "../../app/fields/table/TableStatus.tsx";

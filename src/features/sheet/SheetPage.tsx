@@ -7,7 +7,7 @@ import { closeStep } from "../../app/document/steps.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { LONGEST_REMARKS } from "../../app/document/work.ts";
 import { SetupSheet } from "./SetupSheet.tsx";
-import { hideSheet } from "../../app/document/sheet-place.ts";
+import { uncover } from "../../app/place/place.ts";
 import { useSheetSource, useSheetTexts } from "./use-sheet.ts";
 import "./sheet.css";
 
@@ -51,7 +51,7 @@ export function SheetPage() {
     <main className="sheet-page">
       <section className="sheet-bar" aria-label={t.title}>
         <div className="sheet-buttons">
-          <button type="button" className="button" onClick={hideSheet}>
+          <button type="button" className="button" onClick={uncover}>
             <Icon name="back" /> {t.close}
           </button>
           <label>

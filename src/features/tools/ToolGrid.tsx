@@ -9,7 +9,7 @@ import { InsertDrawing } from "../../app/pictures/lathe/InsertDrawing.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { drillOf } from "../../program/blocks/tool-call.ts";
-import { openRow, type ToolKind } from "../../app/document/tool-place.ts";
+import { openToolRow, type ToolKind } from "../../app/place/place.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
 
 /** Edge length of an insert in its row, px. */
@@ -45,7 +45,7 @@ const ToolRow = memo(
     const cutter = reading.tool ?? (reading.mill && drillOf(reading.mill));
     const wrong = new Set(reading.issues.filter((issue) => issue.severity === "error").map((issue) => issue.at));
     return (
-      <tr className={open ? "open" : ""} onClick={() => openRow(entry.id)}>
+      <tr className={open ? "open" : ""} onClick={() => openToolRow(entry.id)}>
         <th scope="row" className={wrong.has("T") || wrong.has("NAME") ? "wrong" : ""}>
           <button type="button" data-row={entry.id} tabIndex={open ? 0 : -1} aria-current={open ? "true" : undefined}
             aria-label={`${t.select(name)}${wrong.size > 0 ? `, ${t.hasError}` : ""}`}
@@ -98,7 +98,7 @@ export function ToolGrid({ list, kind, read, open }: {
     const next = to === undefined ? undefined : list[to];
     if (!next) return;
     event.preventDefault();
-    openRow(next.id);
+    openToolRow(next.id);
     box.current?.querySelector<HTMLElement>(`button[data-row="${next.id}"]`)?.focus();
   };
   return (

@@ -10,7 +10,8 @@ import { onHistoryKey } from "../../app/document/history.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
 import { undo, useSteps } from "../../app/document/steps.ts";
 import { readKept, startTools, writeKept } from "../../app/records/keep-tools.ts";
-import { showTools, showToolNumber, useToolPlace } from "../../app/document/tool-place.ts";
+import { showTools, usePlace } from "../../app/place/place.ts";
+import { showToolNumber } from "../../app/document/tool-row.ts";
 import { toolsOnDevice, takeTools, useTools } from "../../app/document/tool-store.ts";
 import { toolTable } from "../../app/document/work-tools.ts";
 import { ToolPage } from "./ToolPage.tsx";
@@ -34,7 +35,7 @@ beforeEach(() => {
   localStorage.removeItem("turnwise/tools/damaged");
   useNotices.setState({ notices: [] });
   takeTools(shippedList);
-  useToolPlace.setState({ shown: true, row: null, kind: "turning" });
+  usePlace.setState({ tools: { row: null, kind: "turning" } });
 });
 afterEach(cleanup);
 
@@ -59,7 +60,7 @@ test("the history keys work on the table while it is shown, and open the row tha
   await user.click(screen.getByRole("button", { name: "Edit tool 4 VNMG-35-R04" }));
   await user.keyboard("{Control>}z{/Control}");
   expect(row(1)).toEqual(shippedList[0]);
-  expect(useToolPlace.getState().row).toBe("r1");
+  expect(usePlace.getState().tools.row).toBe("r1");
   document.removeEventListener("keydown", onHistoryKey);
 });
 
@@ -142,7 +143,7 @@ test("the row of a tool is opened by its number", () => {
   render(<ToolPage />);
   expect(field("NAME: tool name").value).toBe("FACE-RECTURN-3");
   showTools();
-  expect(useToolPlace.getState()).toMatchObject({ shown: true, row: "r8" });
+  expect(usePlace.getState().tools.row).toBe("r8");
 });
 
 test("what is kept comes back; the shipped table is not kept, so that it can be a better one later", () => {

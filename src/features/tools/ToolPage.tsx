@@ -2,11 +2,10 @@ import { useEffect, useRef, useState } from "react";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
-import { showOwn } from "../../app/document/own-place.ts";
+import { openToolRow, showOwn, showToolKind, type ToolKind, uncover, usePlace } from "../../app/place/place.ts";
 import { addTool, duplicateTool, removeTool, takeShipped } from "./tool-edits.ts";
 import { isMillEntry } from "../../program/tools/tool-entry.ts";
 import { bringFiles, exportAgain, exportTools, takeBrought, type Brought } from "./tool-files.ts";
-import { hideTools, openRow, showKind, useToolPlace, type ToolKind } from "../../app/document/tool-place.ts";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
 import { TableStatus, type TableSaid } from "../../app/fields/table/TableStatus.tsx";
@@ -23,8 +22,7 @@ export function ToolPage() {
   const t = useTableTexts().tools;
   const nameOf = useToolName();
   const list = useTools((s) => s.list);
-  const asked = useToolPlace((p) => p.row);
-  const lastKind = useToolPlace((p) => p.kind);
+  const { row: asked, kind: lastKind } = usePlace((p) => p.tools);
   const [said, setSaid] = useState<TableSaid | null>(null);
   const [asking, ask] = useState<Brought | "export" | null>(null);
   const w = useToolWords();
@@ -52,7 +50,7 @@ export function ToolPage() {
 
   const edited = (row: string) => {
     setSaid(null);
-    openRow(row);
+    openToolRow(row);
     focusField();
   };
   const receive = (brought: Brought | TableSaid) => {
@@ -61,8 +59,8 @@ export function ToolPage() {
     ask(brought);
   };
   const remove = (id: string, name: string) => {
-    showKind(kind);
-    openRow(removeTool(id));
+    showToolKind(kind);
+    openToolRow(removeTool(id));
     setSaid({ sentences: [t.removed(name)], failed: false, changed: true });
     focusRow();
   };
@@ -70,7 +68,7 @@ export function ToolPage() {
   return (
     <main className="tool-page" ref={page}>
       <div className="tool-head">
-        <button type="button" className="button" aria-label={t.backLong} onClick={hideTools}>
+        <button type="button" className="button" aria-label={t.backLong} onClick={uncover}>
           <Icon name="back" /> {t.back}
         </button>
         <div className="tool-title">
@@ -134,7 +132,7 @@ export function ToolPage() {
         }} />
       )}
       <div className="tool-list">
-        <TableTabs open={kind} onTools={showKind} onOwn={() => showOwn()} />
+        <TableTabs open={kind} onTools={showToolKind} onOwn={() => showOwn()} />
         {rows.length === 0
           ? <p className="tool-none">{t.none}</p>
           : <ToolGrid list={rows} kind={kind} read={read} open={entry?.id ?? null} />}

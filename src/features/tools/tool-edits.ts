@@ -2,7 +2,7 @@ import { MILL, type CellName } from "../../program/tools/tool-columns.ts";
 import { cellOf, isMillEntry, readEntry, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { freeNumber, newId, shippedList } from "../../program/tools/tool-list.ts";
 import { closeStep } from "../../app/document/steps.ts";
-import type { ToolKind } from "../../app/document/tool-place.ts";
+import type { ToolKind } from "../../app/place/place.ts";
 import { editTools, useTools } from "../../app/document/tool-store.ts";
 
 /** The typed text of one cell. */

@@ -11,7 +11,7 @@ import { writeMillText, writeTableText } from "../../program/tools/tool-table-te
 import { decode, encode } from "../../app/document/encoding.ts";
 import { downloadBytes, downloadText } from "../../app/base/download.ts";
 import { closeStep } from "../../app/document/steps.ts";
-import { openRow } from "../../app/document/tool-place.ts";
+import { openToolRow } from "../../app/place/place.ts";
 import { editTools, toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import type { TableSaid } from "../../app/fields/table/TableStatus.tsx";
 
@@ -93,7 +93,7 @@ export function takeBrought(brought: Brought, choice: "all" | "new", t: ToolsTex
   closeStep();
   editTools(() => list);
   const first = fresh[0] ?? changed[0]?.tool;
-  if (first) openRow(first.id);
+  if (first) openToolRow(first.id);
   return {
     failed: false,
     changed: true,

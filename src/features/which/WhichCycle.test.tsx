@@ -9,7 +9,7 @@ import { waysFor } from "../../report/which/ways.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
 import { begin, useEditor } from "../../app/document/store.ts";
 import type { Comparer } from "../../app/calculation/comparison.ts";
-import type { WhichRegion } from "../../app/document/asking.ts";
+import type { WhichRegion } from "../../app/place/place.ts";
 import { WhichCycle } from "./WhichCycle.tsx";
 
 /** What the worker does, without one. */

@@ -1,6 +1,6 @@
 import { useEffect, useId, useRef, useState } from "react";
 import type { DeviceTexts } from "../../i18n/en/device.ts";
-import { goToWorks } from "../../app/document/go-home.ts";
+import { goToEntrance } from "../../app/document/go-home.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import type { ReadArchive } from "../../app/records/archive.ts";
 import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
@@ -180,7 +180,7 @@ export function BringInDialog({ of: { name, archive, problem } }: { readonly of:
           {done && (
             <button type="button" className="button primary" onClick={() => {
               endBringing();
-              goToWorks();
+              goToEntrance({ page: "works" });
             }}>
               {t.showAll}
             </button>

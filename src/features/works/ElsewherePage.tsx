@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { goHome } from "../../app/document/go-home.ts";
 import { Icon } from "../../app/base/Icon.tsx";
-import type { WorkElsewhere } from "../../app/place/elsewhere.ts";
+import type { WorkElsewhere } from "../../app/place/place.ts";
 import { copyWork, takeOver, useKeeping } from "../../app/records/keep.ts";
 import { freeName } from "../../app/records/works.ts";
 import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";

@@ -1,5 +1,5 @@
 import { startLines } from "../../../nc/program.ts";
-import type { OpenCall } from "../../place/guide-place.ts";
+import type { OpenCall } from "../../place/open-call.ts";
 import { withPrompt } from "./block-prompts.ts";
 import { editUnshown } from "./session.ts";
 

@@ -1,6 +1,6 @@
 import { Icon } from "../../base/Icon.tsx";
 import { useTexts } from "../../base/settings/use-texts.ts";
-import { showComparison, type ShowBlock } from "../../place/compare-place.ts";
+import { type ShowBlock, showComparison } from "../../place/place.ts";
 
 /** Compares the open program with another one; a difference leads to its block. */
 export function CompareButton({ showBlock }: { readonly showBlock: ShowBlock }) {

@@ -2,7 +2,7 @@ import { Suspense, useEffect } from "react";
 import { isRecalled } from "../../../cycles/params.ts";
 import type { ThreadSize } from "../../../cycles/thread-sizes.ts";
 import { setPrompts } from "../../document/edits.ts";
-import { useOpenCall } from "../../place/guide-place.ts";
+import { useOpenCall } from "../../place/open-call.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { CycleInWork } from "../../calculation/issue-text.ts";
 import { lazyPart } from "../../base/parts.ts";

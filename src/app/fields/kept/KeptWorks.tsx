@@ -1,7 +1,7 @@
 import { useMemo, useState } from "react";
 import { menuCycle } from "../chooser/menu.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { usePlace } from "../../place/place.ts";
+import { toFirstPrompt } from "../../place/place.ts";
 import { undoStep } from "../../document/history.ts";
 import { keptPictures } from "../../records/kept-picture.ts";
 import { openWork, useKeeping } from "../../records/keep.ts";
@@ -15,7 +15,7 @@ const FIRST = 8;
 
 /** Opens a work of the list at its beginning. */
 export async function openKept(work: string): Promise<void> {
-  usePlace.setState({ section: "prompts", prompt: null });
+  toFirstPrompt();
   await openWork(work);
 }
 

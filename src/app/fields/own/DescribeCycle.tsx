@@ -3,7 +3,7 @@ import { isKnownCycle } from "../../../program/edits/own-cycle.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { useTableTexts } from "../../base/settings/use-table-texts.ts";
 import { describeBlock, isFull } from "../blocks/own-edits.ts";
-import { showOwn } from "../../document/own-place.ts";
+import { showOwn } from "../../place/place.ts";
 import { libraryOf } from "../../document/own-reading.ts";
 import { useOwn } from "../../document/own-store.ts";
 

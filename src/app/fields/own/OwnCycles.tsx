@@ -6,7 +6,7 @@ import type { OwnCycle } from "../../../program/edits/own-cycle.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { useTableTexts } from "../../base/settings/use-table-texts.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
-import { showOwn } from "../../document/own-place.ts";
+import { showOwn } from "../../place/place.ts";
 import { useOwnCycles } from "../../document/own-reading.ts";
 
 interface Rows {

@@ -7,12 +7,11 @@ import type { Prompt, PromptSession } from "../dialog/session.ts";
 import type { FindingEntry } from "../../findings/entry.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { CycleInWork } from "../../calculation/issue-text.ts";
-import { mayTakeKeyboard, openPrompt, usePlace } from "../../place/place.ts";
+import { mayTakeKeyboard, openPrompt, showOwn, usePlace } from "../../place/place.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTableTexts } from "../../base/settings/use-table-texts.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import type { OwnBlock, OwnPrompt } from "../blocks/own-block.ts";
-import { showOwn } from "../../document/own-place.ts";
 import { libraryOf } from "../../document/own-reading.ts";
 import { useOwn } from "../../document/own-store.ts";
 

@@ -2,14 +2,13 @@ import { Suspense, useState, type ReactNode } from "react";
 import { handOver, useEditor } from "../../document/store.ts";
 import type { ShownVerdict } from "../../findings/verdict.ts";
 import { CompareButton } from "../compare/CompareButton.tsx";
-import type { ShowBlock } from "../../place/compare-place.ts";
+import { type ShowBlock, showSheet } from "../../place/place.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { mayLeave } from "../leaving/leaving.ts";
 import { lazyPart } from "../../base/parts.ts";
 import { drawingSlot, exportSlot, handOnSlot, teachSlot } from "../slots.ts";
 import { printedText, programName } from "../../document/printed.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
-import { showSheet } from "../../document/sheet-place.ts";
 import { isProgram, type Work } from "../../document/work.ts";
 
 /** Fetched when it is first opened. */

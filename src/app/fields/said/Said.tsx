@@ -2,7 +2,7 @@ import { createContext, Fragment, useContext, useMemo, type ReactNode } from "re
 import type { GlossaryTexts, TermId } from "../../../i18n/glossary-text.ts";
 import type { Language } from "../../../i18n/languages.ts";
 import { useSettings } from "../../base/settings/settings.ts";
-import { showGuide } from "../../place/guide-place.ts";
+import { showGuide } from "../../place/place.ts";
 import { termParts, type TermPart } from "./term-parts.ts";
 import { useGlossarySoon } from "./use-glossary.ts";
 import "./terms.css";

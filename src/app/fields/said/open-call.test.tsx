@@ -13,7 +13,7 @@ import { forgetOutcome, takeOutcome } from "../../calculation/outcome.ts";
 import { printedText } from "../../document/printed.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
 import { useEditor } from "../../document/store.ts";
-import { useOpenCall } from "../../place/guide-place.ts";
+import { useOpenCall } from "../../place/open-call.ts";
 import { guideSources } from "../../../features/guide/guide-source.ts";
 import { PromptMore } from "../../../features/guide/PromptMore.tsx";
 

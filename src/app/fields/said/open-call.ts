@@ -2,7 +2,7 @@ import type { Operation } from "../../../program/state/run-types.ts";
 import { shownBeside, useShownBeside } from "../../document/shown-file.ts";
 import { isDefinedIn } from "../../document/shown-findings.ts";
 import { useEditor } from "../../document/store.ts";
-import { useOpenCall } from "../../place/guide-place.ts";
+import { useOpenCall } from "../../place/open-call.ts";
 
 type Placed = Pick<Operation, "cycle" | "definedLine" | "definedFile">;
 

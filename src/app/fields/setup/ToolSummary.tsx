@@ -8,7 +8,7 @@ import { isAboutTool } from "../../findings/entry.ts";
 import { useFindings } from "../../findings/use-findings.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
-import { showToolNumber } from "../../document/tool-place.ts";
+import { showToolNumber } from "../../document/tool-row.ts";
 import { useToolList } from "../../document/work-tools.ts";
 import { ToolWords } from "./tool-words.tsx";
 

@@ -1,6 +1,6 @@
 import { useTableTexts } from "../../base/settings/use-table-texts.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
-import type { ToolKind } from "../../document/tool-place.ts";
+import type { ToolKind } from "../../place/place.ts";
 
 /** The tables of this device: two kinds of tools, and the operator's own cycles. */
 export function TableTabs({ open, onTools, onOwn }: { readonly open: ToolKind | "own"; readonly onTools: (kind: ToolKind) => void;

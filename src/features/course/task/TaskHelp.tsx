@@ -2,7 +2,7 @@ import { useState } from "react";
 import { programOfLines } from "../../../course/start-of.ts";
 import { shownId, type Task, type TaskWords } from "../../../course/task.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
-import { showComparison } from "../../../app/place/compare-place.ts";
+import { showComparison } from "../../../app/place/place.ts";
 import { startWork } from "../../../app/records/keep.ts";
 import { handedOn, useEditor } from "../../../app/document/store.ts";
 import { broughtBy } from "../../../app/document/work.ts";

@@ -3,8 +3,7 @@ import type { Job } from "../../../program/job/job.ts";
 import { startOfTask, toolsOfTask } from "../../../course/start-of.ts";
 import type { Task } from "../../../course/task.ts";
 import { draftOf } from "../../../app/document/edits.ts";
-import { showOpenWork } from "../../../app/document/go-home.ts";
-import { usePlace } from "../../../app/place/place.ts";
+import { toFirstPrompt, usePlace } from "../../../app/place/place.ts";
 import { openWork, refreshWorks, startWork, useKeeping } from "../../../app/records/keep.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { isProgram, type Work } from "../../../app/document/work.ts";
@@ -38,18 +37,18 @@ function firstToAnswer(job: Job): string | null {
 /** Begins a task anew, as a work of its own. */
 export function beginTaskAnew(task: Task, fromOutside = false): void {
   unfoldNext();
-  showOpenWork();
   const work = workOfTask(task, fromOutside);
   startWork(work);
-  const prompt = isProgram(work) ? null : firstToAnswer(work), before = isProgram(work) ? "" : (draftOf(work)[prompt ?? ""] ?? "");
-  usePlace.setState({ section: "prompts", prompt, before, field: null });
+  if (isProgram(work)) return;
+  const prompt = firstToAnswer(work);
+  usePlace.setState({ section: "prompts", prompt, before: draftOf(work)[prompt ?? ""] ?? "", field: null });
 }
 
 /** Goes on with what was made of a task on this device, or begins it. */
 export async function beginTask(task: Task, fromOutside = false): Promise<void> {
   await refreshWorks();
   unfoldNext();
+  toFirstPrompt();
   const kept = keptOfTask(task.id);
-  if (kept === undefined || !(await openWork(kept))) return beginTaskAnew(task, fromOutside);
-  usePlace.setState({ section: "prompts", prompt: null, field: null });
+  if (kept === undefined || !(await openWork(kept))) beginTaskAnew(task, fromOutside);
 }

@@ -8,7 +8,7 @@ import { editProgram, useSession } from "../../../app/fields/blocks/session.ts";
 import { useShownBeside } from "../../../app/document/shown-file.ts";
 import { useOutcome } from "../../../app/calculation/outcome.ts";
 import type { FindingEntry } from "../../../app/findings/entry.ts";
-import { openWordOf, useGuidedBlock } from "../../../app/place/guide-place.ts";
+import { openWordOf, useGuidedBlock } from "../../../app/place/open-call.ts";
 import { useEditor } from "../../../app/document/store.ts";
 import { ApproachDialog } from "./ApproachDialog.tsx";
 import { isFresh, markFresh } from "../../../app/fields/blocks/fresh-block.ts";

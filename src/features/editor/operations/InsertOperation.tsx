@@ -15,7 +15,7 @@ import { useOutcome } from "../../../app/calculation/outcome.ts";
 import { showFile } from "../../../app/document/shown-file.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { lazyPart } from "../../../app/base/parts.ts";
-import { whichSlot } from "../../../app/document/which-place.ts";
+import { whichSlot } from "../../../app/document/which-slot.ts";
 import { showSection } from "../../../app/place/place.ts";
 import { outputInUse } from "../../../app/document/output.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";

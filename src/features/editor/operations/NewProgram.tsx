@@ -4,7 +4,7 @@ import { SETUP_FIELDS as FIELDS } from "../../../program/job/setup-fields.ts";
 import type { BlankDraft } from "../../../program/job/job.ts";
 import { openText } from "../../../app/fields/open/open-program.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
-import { usePlace } from "../../../app/place/place.ts";
+import { toFirstPrompt } from "../../../app/place/place.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { AskedNumber, isUsable } from "./AskedNumber.tsx";
 import { askForOperation } from "../../../app/document/inserting.ts";
@@ -43,7 +43,7 @@ export function NewProgram({ done }: { readonly done: () => void }) {
         event.preventDefault();
         if (!usable) return;
         dialog.current?.close();
-        usePlace.setState({ section: "prompts", prompt: null, field: null });
+        toFirstPrompt();
         openText(emptyProgram(name, blank));
         askForOperation(null);
       }}>

@@ -1,14 +1,5 @@
 import { create } from "zustand";
 
-/** A page of the guide as its address has it, behind "#/": ["guide", "812", "Q463"], ["glossary", "infeed"]. */
-export type GuidePath = readonly string[];
-
-/** The page of the guide that is shown in place of the work; null shows none. Undo does not touch it. */
-export const useGuidePlace = create<{ readonly path: GuidePath | null }>(() => ({ path: null }));
-
-export const showGuide = (...path: GuidePath): void => useGuidePlace.setState({ path });
-export const hideGuide = (): void => useGuidePlace.setState({ path: null });
-
 /** The cycle block of a program whose prompts were open last: its work, its cycle, its first line (from 1). */
 export interface OpenCall {
   readonly work: string | null;
