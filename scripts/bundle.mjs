@@ -75,7 +75,7 @@ async function pageTypes() {
   const script = join(root, "scripts", "page-types.mjs");
   const { stdout } = await promisify(execFile)(process.execPath, [script], { maxBuffer: 10_000_000 });
   const { types, from } = JSON.parse(stdout);
-  const stamps = [...from, script, join(root, "package-lock.json"), join(root, "tsconfig.json")].map((path) => [path, stamp(path)]);
+  const stamps = [...from, script, join(root, "package-lock.json"), join(root, "tsconfig.base.json")].map((path) => [path, stamp(path)]);
   mkdirSync(dirname(KEPT_TYPES), { recursive: true });
   const fresh = `${KEPT_TYPES}-${process.pid}`;
   writeFileSync(fresh, JSON.stringify({ stamps, types }));

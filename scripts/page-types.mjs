@@ -11,11 +11,11 @@ const ENTRY = join(root, "e2e", "pages", "index.ts");
 const PAGES = join(root, "e2e", "pages");
 const flags = ts.NodeBuilderFlags.NoTruncation | ts.NodeBuilderFlags.InTypeAlias | ts.NodeBuilderFlags.UseAliasDefinedOutsideCurrentScope;
 
-const { config } = ts.readConfigFile(join(root, "tsconfig.json"), ts.sys.readFile);
+const { config } = ts.readConfigFile(join(root, "tsconfig.base.json"), ts.sys.readFile);
 const { options } = ts.parseJsonConfigFileContent(config, ts.sys, root);
 const program = ts.createProgram([ENTRY], {
   ...options,
-  noEmit: false,
+  composite: false,
   incremental: false,
   tsBuildInfoFile: undefined,
   declaration: true,

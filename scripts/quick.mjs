@@ -25,16 +25,7 @@ function nearest(file) {
 }
 const tests = [...new Set(files.flatMap(nearest))];
 const work = [
-  [
-    "types",
-    bin("typescript", "bin", "tsc"),
-    "--noEmit",
-    "--incremental",
-    "--tsBuildInfoFile",
-    join(cache, "quick.tsbuildinfo"),
-    "-p",
-    "tsconfig.json",
-  ],
+  ["types", bin("typescript", "bin", "tsc"), "-b"],
   files.length > 0
   && ["lint", bin("eslint", "bin", "eslint.js"), "--max-warnings", "0", "--cache", "--cache-location", join(cache, "eslint"), ...files],
   tests.length > 0 && ["tests", bin("vitest", "vitest.mjs"), "run", "--passWithNoTests", ...tests],

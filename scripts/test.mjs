@@ -11,7 +11,6 @@ import { ensurePackages, root } from "./packages.mjs";
 
 const results = join(root, "node_modules", ".cache", "turnwise");
 const bin = (...path) => join(root, "node_modules", ...path);
-const tsc = (project) => [bin("typescript", "bin", "tsc"), "--noEmit", "-p", project];
 
 /** Counts of one report file; a report that is missing counts nothing. */
 function counted(file, count) {
@@ -36,11 +35,9 @@ const unit = [bin("vitest", "vitest.mjs"), "run", "--reporter=default", "--repor
 const stages = [
   [
     { name: "lint", args: [bin("eslint", "bin", "eslint.js"), "--max-warnings", "0", "."] },
-    { name: "types", args: tsc("tsconfig.json") },
+    { name: "types", args: [bin("typescript", "bin", "tsc"), "-b"] },
     { name: "build", args: [bin("vite", "bin", "vite.js"), "build", "--logLevel", "warn"] },
-    { name: "types of the pure layers alone", args: tsc("tsconfig.pure.json") },
     { name: "format", args: [join(root, "scripts", "format.mjs"), "--check"] },
-    { name: "types of the kernel alone", args: tsc("src/kernel/tsconfig.json") },
     { name: "a Chromium is here", args: [join(root, "scripts", "browser.mjs")] },
   ],
   [{ name: "unit tests, goldens and laws", count: unitCount, args: unit }],
