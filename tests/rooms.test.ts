@@ -38,6 +38,19 @@ describe("rooms of the page", () => {
   });
 });
 
+test("a feature is known from outside by its index alone", () => {
+  const featureOf = (path: string) => (layerOf(path) === "features" ? path.split("/")[2] : null);
+  const wrong = all.filter((s) => !/\.test\.tsx?$/.test(s.path)).flatMap((s) =>
+    s.imports.flatMap(({ target }) => {
+      const feature = featureOf(target);
+      const isKnown = !feature || feature === featureOf(s.path) || target === `src/features/${feature}/index.ts`;
+      return isKnown ? [] : [`${s.path} → ${target}`];
+    })
+  );
+  expect(wrong).toEqual([]);
+  expect(all.some((s) => s.path === "src/app/shell/App.tsx" && s.imports.some(({ target }) => featureOf(target) !== null))).toBe(true);
+});
+
 /** Folders of a layer from the ground up; "" are its files that stand in none. */
 const FOLDERS: Readonly<Record<string, readonly string[]>> = {
   kernel: ["", "geometry", "area", "plan", "reach", "contour", "solve", "time", "plane", "cutter", "free", "strategy"],

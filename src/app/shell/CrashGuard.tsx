@@ -5,13 +5,14 @@ import { unkeptWorks } from "../records/keep.ts";
 import { rememberWork } from "../records/tab.ts";
 import { firstTexts } from "../base/settings/loaded-texts.ts";
 import { useSettings } from "../base/settings/settings.ts";
+import { fetchCrashHelp } from "../../features/works/index.ts";
 
 interface State {
   readonly crashed: boolean;
 }
 
 /** It may not come, after a fault of the page least of all: then the page does without. */
-const CrashHelp = lazyPart(async () => ({ default: (await import("../../features/works/crash/CrashHelp.tsx")).CrashHelp }));
+const CrashHelp = lazyPart(async () => ({ default: (await fetchCrashHelp()).CrashHelp }));
 
 /** Shows nothing where its content fails. */
 class Unless extends Component<{ readonly children: ReactNode }, State> {

@@ -3,11 +3,11 @@ import { goHome } from "../document/go-home.ts";
 import { Icon } from "../base/Icon.tsx";
 import { seen, showTools, usePlace } from "../place/place.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
-import { CreateProgram } from "../../features/start/CreateProgram.tsx";
 import { redoStep, undoStep } from "../document/history.ts";
 import { lazyPart } from "../base/parts.ts";
 import { useSteps } from "../document/steps.ts";
 import { useEditor } from "../document/store.ts";
+import { CreateProgram } from "../../features/start/index.ts";
 
 /** Fetched when it is first opened. */
 const SettingsDialog = lazyPart(async () => ({ default: (await import("./SettingsDialog.tsx")).SettingsDialog }));

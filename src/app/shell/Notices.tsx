@@ -2,6 +2,7 @@ import { Icon } from "../base/Icon.tsx";
 import { useNotices, withdraw } from "../base/notices.ts";
 import { dismissDamaged, unkeptNames, unkeptWorks, useKeeping } from "../records/keep.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
+import { fetchExportWorks } from "../../features/works/index.ts";
 
 /** The works that are nowhere but in this page, as files. */
 function DownloadUnkept() {
@@ -15,9 +16,7 @@ function DownloadUnkept() {
       >
         <Icon name="download" /> {t.downloadUnkept}
       </button>
-      <button type="button" className="button"
-        onClick={() => void import("../../features/works/export-works.ts").then(({ saveWorks }) => saveWorks(unkeptNames()))}
-      >
+      <button type="button" className="button" onClick={() => void fetchExportWorks().then(({ saveWorks }) => saveWorks(unkeptNames()))}>
         <Icon name="download" /> {t.archiveUnkept}
       </button>
     </>

@@ -1,13 +1,15 @@
 import { Suspense, useLayoutEffect, useRef } from "react";
 import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
-import { OfflineState } from "../../features/offline/OfflineState.tsx";
 import { showOwn } from "../place/place.ts";
 import { lazyPart } from "../base/parts.ts";
 import { changeLanguage, changeSettings, useSettings } from "../base/settings/settings.ts";
 import { useFirstTexts } from "../base/settings/use-first-texts.ts";
+import { fetchOfflineState } from "../../features/offline/index.ts";
+import { fetchThisDevice } from "../../features/works/index.ts";
 
 const MachineSection = lazyPart(async () => ({ default: (await import("../fields/machine/MachineSection.tsx")).MachineSection }));
-const ThisDevice = lazyPart(async () => ({ default: (await import("../../features/works/ThisDevice.tsx")).ThisDevice }));
+const OfflineState = lazyPart(async () => ({ default: (await fetchOfflineState()).OfflineState }));
+const ThisDevice = lazyPart(async () => ({ default: (await fetchThisDevice()).ThisDevice }));
 
 /** Language, appearance, motion and machine: choices of this device. */
 export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {

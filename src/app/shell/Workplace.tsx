@@ -2,7 +2,6 @@ import { Suspense, useEffect, useMemo, useState, type ReactNode } from "react";
 import { knownWork } from "../../program/job/known-work.ts";
 import { sameRings } from "../../sim/same-step.ts";
 import { clock } from "../base/clock.ts";
-import { ContourViews } from "../../features/contour/ContourViews.tsx";
 import { chooseElement, useContourPlace } from "../place/contour-place.ts";
 import { BackToPrompts } from "../fields/dialog/BackToPrompts.tsx";
 import { CycleDialog } from "../fields/dialog/CycleDialog.tsx";
@@ -13,6 +12,7 @@ import { PinnedCard } from "../findings/effect/Pinned.tsx";
 import { givenOf } from "../calculation/given.ts";
 import { Working } from "../calculation/Working.tsx";
 import { useOutcome } from "../calculation/outcome.ts";
+import { ContourViews } from "./ContourViews.tsx";
 import { useJobHost } from "./use-job-host.ts";
 import { useListed } from "../findings/use-findings.ts";
 import { Icon } from "../base/Icon.tsx";
@@ -35,14 +35,15 @@ import { changeSettings, useSettings } from "../base/settings/settings.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useThirdColumn } from "../base/use-media.ts";
 import { useToolList } from "../document/work-tools.ts";
+import { fetchContourStage, fetchContourTable } from "../../features/contour/index.ts";
 
 /** Loaded when its section is first shown, or before that when there is nothing else to do. */
 const fetchSetup = () => import("../fields/setup/SetupPanel.tsx");
 const SetupPanel = lazyPart(async () => ({ default: (await fetchSetup()).SetupPanel }));
 const fetchFindings = () => import("../findings/FindingsPanel.tsx");
 const FindingsPanel = lazyPart(async () => ({ default: (await fetchFindings()).FindingsPanel }));
-const ContourTable = lazyPart(async () => ({ default: (await import("../../features/contour/ContourTable.tsx")).ContourTable }));
-const ContourStage = lazyPart(async () => ({ default: (await import("../../features/contour/ContourStage.tsx")).ContourStage }));
+const ContourTable = lazyPart(async () => ({ default: (await fetchContourTable()).ContourTable }));
+const ContourStage = lazyPart(async () => ({ default: (await fetchContourStage()).ContourStage }));
 
 const VIEWS = <ContourViews />;
 

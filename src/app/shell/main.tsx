@@ -11,7 +11,6 @@ import { startEngineLater } from "../calculation/later.ts";
 import { openShared } from "./open-shared.ts";
 import { onHistoryKey } from "../document/history.ts";
 import { startOwn } from "../records/keep-own.ts";
-import { startOfflineLater } from "../../features/offline/start-offline.ts";
 import { useNotices } from "../base/notices.ts";
 import { followMissing, untilHere } from "../base/parts.ts";
 import "./slots.ts";
@@ -28,6 +27,7 @@ import "../base/styles/layout.css";
 import "../base/styles/dialog.css";
 import "../base/styles/panels.css";
 import "../base/styles/start.css";
+import { startOfflineLater } from "../../features/offline/index.ts";
 
 z.config({ jitless: true });
 startReports();

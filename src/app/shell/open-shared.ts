@@ -1,6 +1,7 @@
 import { isShareLink } from "../place/address.ts";
 import { untilHere } from "../base/parts.ts";
 import { notice } from "../base/notices.ts";
+import { fetchOpenTaught } from "../../features/course/index.ts";
 
 const PROBLEMS = { tooLarge: "linkTooLarge", newer: "linkNewer", damaged: "linkDamaged" } as const;
 
@@ -12,7 +13,7 @@ export async function openShared(): Promise<void> {
   const { hash } = location;
   if (!isShareLink(hash)) return;
   history.replaceState(null, "", location.pathname + location.search);
-  if (/^#[tr]/.test(hash)) return (await untilHere(() => import("../../features/course/teach/open-taught.ts"))).openTaughtLink(hash);
+  if (/^#[tr]/.test(hash)) return (await untilHere(fetchOpenTaught)).openTaughtLink(hash);
   const [{ readLink }, { showIncoming }] = await untilHere(() =>
     Promise.all([import("../records/link.ts"), import("../records/incoming.ts")])
   );

@@ -1,15 +1,22 @@
 import { whichSlot } from "../document/which-slot.ts";
 import { contourTableSlot, drawingSlot, exportSlot, handOnSlot, newProgramSlot, promptMoreSlot, setupStartSlot, taughtFilesSlot,
   teachSlot } from "../fields/slots.ts";
+import { fetchContourTable } from "../../features/contour/index.ts";
+import { fetchOpenTaught, fetchProgramDrawing, fetchTeachDialog } from "../../features/course/index.ts";
+import { fetchNewProgram } from "../../features/editor/index.ts";
+import { fetchPartExport } from "../../features/export/index.ts";
+import { fetchPromptMore, fetchSetupStart } from "../../features/guide/index.ts";
+import { fetchHandOnDialog } from "../../features/handing/index.ts";
+import { fetchWhichCycle } from "../../features/which/index.ts";
 
 /* Which feature gives the parts that others show. Each is fetched when it is first shown. */
-whichSlot.fill(async () => (await import("../../features/which/WhichCycle.tsx")).WhichCycle);
-handOnSlot.fill(async () => (await import("../../features/handing/HandOnDialog.tsx")).HandOnDialog);
-exportSlot.fill(async () => (await import("../../features/export/PartExport.tsx")).PartExport);
-drawingSlot.fill(async () => (await import("../../features/course/drawing/ProgramDrawing.tsx")).ProgramDrawing);
-teachSlot.fill(async () => (await import("../../features/course/teach/TeachDialog.tsx")).TeachDialog);
-promptMoreSlot.fill(async () => (await import("../../features/guide/PromptMore.tsx")).PromptMore);
-setupStartSlot.fill(async () => (await import("../../features/guide/SetupStart.tsx")).SetupStart);
-newProgramSlot.fill(async () => (await import("../../features/editor/operations/NewProgram.tsx")).NewProgram);
-contourTableSlot.fill(async () => (await import("../../features/contour/ContourTable.tsx")).ContourTable);
-taughtFilesSlot.fill(() => import("../../features/course/teach/open-taught.ts"));
+whichSlot.fill(async () => (await fetchWhichCycle()).WhichCycle);
+handOnSlot.fill(async () => (await fetchHandOnDialog()).HandOnDialog);
+exportSlot.fill(async () => (await fetchPartExport()).PartExport);
+drawingSlot.fill(async () => (await fetchProgramDrawing()).ProgramDrawing);
+teachSlot.fill(async () => (await fetchTeachDialog()).TeachDialog);
+promptMoreSlot.fill(async () => (await fetchPromptMore()).PromptMore);
+setupStartSlot.fill(async () => (await fetchSetupStart()).SetupStart);
+newProgramSlot.fill(async () => (await fetchNewProgram()).NewProgram);
+contourTableSlot.fill(async () => (await fetchContourTable()).ContourTable);
+taughtFilesSlot.fill(fetchOpenTaught);

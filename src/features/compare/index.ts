@@ -1,0 +1,3 @@
+/* Two programs beside each other. */
+
+export const fetchCompareDialog = () => import("./CompareDialog.tsx");

@@ -1,0 +1,9 @@
+/* Lessons, tasks, and what teachers make of them. */
+
+export { TaskLine } from "./task/TaskLine.tsx";
+export { IncomingTaught } from "./teach/IncomingTaught.tsx";
+export const fetchCourseEntrance = () => import("./CourseEntrance.tsx");
+export const fetchCoursePage = () => import("./CoursePage.tsx");
+export const fetchProgramDrawing = () => import("./drawing/ProgramDrawing.tsx");
+export const fetchTeachDialog = () => import("./teach/TeachDialog.tsx");
+export const fetchOpenTaught = () => import("./teach/open-taught.ts");

@@ -1,0 +1,4 @@
+/* Whole programs: their text, the dialogs of their blocks, their operations. */
+
+export const fetchProgramWorkplace = () => import("./ProgramWorkplace.tsx");
+export const fetchNewProgram = () => import("./operations/NewProgram.tsx");

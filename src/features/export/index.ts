@@ -1,0 +1,3 @@
+/* The finished part as STL or DXF. */
+
+export const fetchPartExport = () => import("./PartExport.tsx");

@@ -1,0 +1,3 @@
+/* The setup sheet. */
+
+export const fetchSheetPage = () => import("./SheetPage.tsx");

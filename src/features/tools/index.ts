@@ -1,0 +1,3 @@
+/* The tool table. */
+
+export const fetchToolPage = () => import("./ToolPage.tsx");

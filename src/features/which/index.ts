@@ -1,0 +1,3 @@
+/* Which cycle makes a shape. */
+
+export const fetchWhichCycle = () => import("./WhichCycle.tsx");
