@@ -79,6 +79,15 @@ describe("what one file keeps to itself", () => {
     expect(makes).toEqual(["src/app/base/parts.ts"]);
   });
 
+  test.each([["NumberInput", "fields/number/NumberInput", /data-number"/], [
+    "Message",
+    "base/Message",
+    /className=\S*field-message\b(?!s)/,
+  ]])("only %s makes what it stands for", (_, file, pattern) => {
+    const found = all.filter((s) => s.path.endsWith(".tsx") && !s.path.endsWith(".test.tsx") && pattern.test(code(s.text)));
+    expect(found.map((s) => s.path)).toEqual([`src/app/${file}.tsx`]);
+  });
+
   test("only kernel/units.ts halves or doubles an X", () => {
     const found = all.filter((s) => s.path !== "src/kernel/units.ts").flatMap((s) =>
       code(s.text).split("\n").filter((line) => converts(line, layerOf(s.path))).map((line) => `${s.path}: ${line.trim()}`)

@@ -1,10 +1,6 @@
 import { useId, useState, type KeyboardEvent } from "react";
-import { flushSync } from "react-dom";
-import type { Language } from "../../i18n/languages.ts";
-import { sumOf } from "../../program/values/field.ts";
 import type { RowField } from "../../program/job/contour-rows.ts";
-import { isPlainNumber, minus } from "../../app/fields/dialog/number-entry.ts";
-import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
+import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
 import { closeStep } from "../../app/document/steps.ts";
 import { whileTyping } from "../../app/base/typing.ts";
 
@@ -19,7 +15,6 @@ interface Props {
   readonly row: string;
   readonly field: RowField;
   readonly name: string;
-  readonly language: Language;
   readonly text: string;
   readonly shown: Shown | null;
   readonly wrong: boolean;
@@ -27,16 +22,14 @@ interface Props {
   /** What is typed is told to the drawing and the table behind the picture of its digit: they are long. */
   readonly isLong: boolean;
   readonly onText: (text: string) => void;
-  /** The I key of the coordinate; absent where a value cannot be incremental. */
   /** The T key: tangential to the element before. */
   readonly onTangent?: () => void;
+  /** The I key of the coordinate; absent where a value cannot be incremental. */
   readonly incremental?: { readonly on: boolean; readonly name: string; readonly toggle: () => void };
 }
 
 /** One number of the contour table, with its I key where it is a coordinate. */
-export function ContourCell({ row, field, name, language, text: told, shown, wrong, describedBy, isLong, onText, onTangent, incremental }:
-  Props)
-{
+export function ContourCell({ row, field, name, text: told, shown, wrong, describedBy, isLong, onText, onTangent, incremental }: Props) {
   const id = useId();
   /** What was typed over the text that the table knows, until it is told. */
   const [held, hold] = useState<{ readonly over: string; readonly text: string } | null>(null);
@@ -47,29 +40,11 @@ export function ContourCell({ row, field, name, language, text: told, shown, wro
     if (!isLong) onText(next);
     else if (whileTyping(() => onText(next))) hold({ over: told, text: next });
   };
-  const leave = () => {
-    const sum = sumOf(text);
-    if (sum !== null) type(sum);
-    closeStep();
-  };
-  const onKey = (e: KeyboardEvent<HTMLInputElement>) => {
-    if (incremental && e.key.toLowerCase() === "i" && !e.ctrlKey && !e.metaKey) {
-      e.preventDefault();
-      incremental.toggle();
-      return;
-    }
-    if (onTangent && e.key.toLowerCase() === "t" && !e.ctrlKey && !e.metaKey) {
-      e.preventDefault();
-      onTangent();
-      return;
-    }
-    if (e.key !== "-" || !isPlainNumber(text)) return;
+  const onKey = (e: KeyboardEvent) => {
+    const act = { i: incremental?.toggle, t: onTangent }[e.key.toLowerCase()];
+    if (!act || e.ctrlKey || e.metaKey) return;
     e.preventDefault();
-    const input = e.currentTarget;
-    const next = minus({ text, from: input.selectionStart ?? 0, to: input.selectionEnd ?? 0, negative: false });
-    // At once: a caret that is placed later would fall between the keys of a fast hand.
-    flushSync(() => type(next.text));
-    input.setSelectionRange(next.from === next.to ? next.from : next.text.startsWith("-") ? 1 : 0, next.to);
+    act();
   };
   return (
     <span className={`contour-cell field-${field}${shown?.solved ? " solved" : ""}`}>
@@ -80,11 +55,9 @@ export function ContourCell({ row, field, name, language, text: told, shown, wro
           I
         </button>
       )}
-      <input id={id} className="input number" type="text" data-number="open" inputMode="text" autoComplete="off" spellCheck={false}
-        maxLength={200} data-row={row} data-field={field} aria-label={name} aria-invalid={wrong}
-        aria-describedby={shown === null ? describedBy : `${describedBy} ${id}-stays`} value={inScreenWriting(language, text)}
-        placeholder={shown?.text ?? ""} onChange={(e) => type(e.currentTarget.value)} onBlur={leave}
-        onFocus={(e) => e.currentTarget.select()} onKeyDown={onKey} {...(incremental ? { "aria-keyshortcuts": "I" } : {})} />
+      <NumberInput keypad="open" inputMode="text" data-row={row} data-field={field} aria-label={name} aria-invalid={wrong}
+        aria-describedby={shown === null ? describedBy : `${describedBy} ${id}-stays`} text={text} onText={type} onLeave={closeStep} selects
+        placeholder={shown?.text ?? ""} onKeyDown={onKey} {...(incremental && { "aria-keyshortcuts": "I" })} />
       {shown !== null && <span id={`${id}-stays`} className="unseen">{shown.name}</span>}
     </span>
   );

@@ -6,7 +6,7 @@ import type { RowField, RowIssue, RowReading } from "../../program/job/contour-r
 import type { ContourRow } from "../../program/job/job.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { polarNames, polarOf, polarTyped, withPolar, type PolarName } from "../../program/job/polar-row.ts";
-import { Icon } from "../../app/base/Icon.tsx";
+import { Message } from "../../app/base/Message.tsx";
 import { issueText } from "../../app/calculation/issue-text.ts";
 import { chooseElement } from "../../app/place/contour-place.ts";
 import { RecessFields } from "./RecessFields.tsx";
@@ -63,8 +63,8 @@ function Line({ row, number, reading, issues, active, details, language, isLong,
     grey: Shown | null,
     incremental?: { on: boolean; name: string; toggle: () => void },
   ): ReactNode => (
-    <ContourCell row={row.id} field={field} name={name} language={language} text={row[field]} shown={grey} describedBy={`${id}-wrong`}
-      isLong={isLong} wrong={issues.some((found) => found.field === field && found.issue.severity !== "info")}
+    <ContourCell row={row.id} field={field} name={name} text={row[field]} shown={grey} describedBy={`${id}-wrong`} isLong={isLong}
+      wrong={issues.some((found) => found.field === field && found.issue.severity !== "info")}
       onText={(text) => onChange({ [field]: text }, `${row.id} ${field}`)} {...(incremental ? { incremental } : {})}
       {...(TANGENTIAL.includes(row.kind) && number > 1 ? { onTangent: () => onChange({ tangent: !row.tangent }, null) } : {})} />
   );
@@ -75,8 +75,8 @@ function Line({ row, number, reading, issues, active, details, language, isLong,
     const change = (next: Partial<typeof typed>, place: string | null) =>
       onChange({ words: withPolar(row.words, name, { ...typed, ...next }) }, place);
     return (
-      <ContourCell row={row.id} field={name} name={(name === "PR" ? t.polarRadiusOf : t.polarAngleOf)(number)} language={language}
-        text={typed.text} shown={shown(typed.text, false, null, stays)} describedBy={`${id}-wrong`} isLong={isLong}
+      <ContourCell row={row.id} field={name} name={(name === "PR" ? t.polarRadiusOf : t.polarAngleOf)(number)} text={typed.text}
+        shown={shown(typed.text, false, null, stays)} describedBy={`${id}-wrong`} isLong={isLong}
         wrong={issues.some((found) => found.field === name && found.issue.severity !== "info")}
         onText={(text) => change({ text }, `${row.id} ${name}`)} incremental={{
         on: typed.incremental,
@@ -161,9 +161,7 @@ function Line({ row, number, reading, issues, active, details, language, isLong,
         )}
         {open > 0 && <p className="small contour-open">{t.freedom(open)}</p>}
         {issues.filter(({ issue }) => open === 0 || issue.code !== "elementFree").map((found, i) => (
-          <p key={i} className={`field-message ${found.issue.severity} small`}>
-            <Icon name={found.issue.severity} /> {issueText(all, language, found.issue, null)}
-          </p>
+          <Message key={i} tone={found.issue.severity} className="small">{issueText(all, language, found.issue, null)}</Message>
         ))}
       </td>
     </tr>

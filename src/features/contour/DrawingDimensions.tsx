@@ -8,8 +8,7 @@ import { toScreen, type Place, type Size } from "../../view/camera.ts";
 import { placedDimensions, type PlacedDimension } from "../../view/contour/dimension-places.ts";
 import { WORKPIECE_ZERO } from "../../view/datum.ts";
 import type { ContourPicture } from "../../view/help/contour-drawing.ts";
-import { useNumberEntry } from "../../app/fields/dialog/use-number-entry.ts";
-import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
+import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
 import { SCALE_BELOW, SCALE_LEFT } from "../../app/pictures/lathe/Axes.tsx";
 import { useFingers } from "../../app/base/use-media.ts";
 import { drawnDimensions, type DrawnDimension } from "./drawing-dimensions.ts";
@@ -86,11 +85,10 @@ export function DrawingDimensions({ rows, reading, picture, size, chosen, langua
           if (!at) return null;
           if (open === each.key)
             return (
-              <DimensionField key={each.key} each={each} at={at} size={size} language={language} name={t.inDrawing(each.name)}
-                onClose={(text, keyboard) => {
-                  close(each.key, keyboard);
-                  if (text !== null) onTyped(dimensionTyped(rows, reading, each.dimension.row, each.dimension.field, text));
-                }} />
+              <DimensionField key={each.key} each={each} at={at} size={size} name={t.inDrawing(each.name)} onClose={(text, keyboard) => {
+                close(each.key, keyboard);
+                if (text !== null) onTyped(dimensionTyped(rows, reading, each.dimension.row, each.dimension.field, text));
+              }} />
             );
           return (
             <button key={each.key} type="button" data-dimension={each.key} aria-label={t.dimension(each.name, each.text)}
@@ -124,11 +122,10 @@ const styleOf = ({ box }: PlacedDimension) => ({
 });
 
 /** A dimension that is being typed: Enter takes it, so does leaving it; Escape lets it be. */
-function DimensionField({ each, at, size, language, name, onClose }: {
+function DimensionField({ each, at, size, name, onClose }: {
   readonly each: DrawnDimension;
   readonly at: PlacedDimension;
   readonly size: Size;
-  readonly language: Language;
   readonly name: string;
   /** The typed text, or null when it is not taken; whether the keyboard shall stay at the dimension. */
   readonly onClose: (text: string | null, keyboard: boolean) => void;
@@ -136,7 +133,6 @@ function DimensionField({ each, at, size, language, name, onClose }: {
   const begun = each.dimension.text;
   const [text, setText] = useState(begun);
   const input = useRef<HTMLInputElement>(null), closed = useRef(false);
-  const { onKeyDown, onTyped } = useNumberEntry(input, text, setText);
   useEffect(() => {
     input.current?.focus({ preventScroll: true });
     input.current?.select();
@@ -147,19 +143,15 @@ function DimensionField({ each, at, size, language, name, onClose }: {
     onClose(taken === begun ? null : taken, keyboard);
   };
   const onKey = (e: KeyboardEvent) => {
-    if (e.key !== "Enter" && e.key !== "Escape") return onKeyDown(e);
+    if (e.key !== "Enter" && e.key !== "Escape") return;
     e.preventDefault();
     e.stopPropagation();
     take(e.key === "Enter" ? text : null, true);
   };
   const width = Math.max(FIELD, at.box.width), left = Math.max(2, Math.min(at.box.x + (at.box.width - width) / 2, size.width - width - 2));
   return (
-    <input ref={input} className="input number contour-dimension-field" type="text" data-number="words" inputMode="decimal"
-      autoComplete="off" spellCheck={false} maxLength={200} aria-label={name} value={inScreenWriting(language, text)}
+    <NumberInput ref={input} className="input number contour-dimension-field" text={text} onText={setText} sums={false} aria-label={name}
       style={{ left: grown(left), top: grown(at.box.y + at.box.height / 2), width: grown(width) }} onKeyDown={onKey}
-      onBlur={() => take(text, false)} onChange={(e) => {
-      onTyped();
-      setText(e.currentTarget.value);
-    }} />
+      onLeave={() => take(text, false)} />
   );
 }

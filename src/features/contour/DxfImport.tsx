@@ -6,8 +6,9 @@ import { anyNumber, readText, type Field } from "../../program/values/field.ts";
 import type { ContourRow } from "../../program/job/job.ts";
 import { dxfDefaults, readDxf, type DxfChoice } from "../../program/dxf/read-dxf.ts";
 import { contourDrawing } from "../../view/help/contour-drawing.ts";
-import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
+import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
 import { Icon } from "../../app/base/Icon.tsx";
+import { Message } from "../../app/base/Message.tsx";
 import { dxfText } from "./dxf-text.ts";
 import { openDxf, type OpenedDxf } from "./open-dxf.ts";
 
@@ -66,11 +67,7 @@ export function DxfImport({ count, language, onTake }: Props) {
       <dialog ref={dialog} className="dxf-import" aria-labelledby={`${id}-title`} onKeyDown={(e) => e.stopPropagation()}>
         <h2 id={`${id}-title`}>{t.title}</h2>
         <p className="soft">{opened?.name}</p>
-        {opened && opened.kind !== "drawing" && (
-          <p role="alert" className="field-message error">
-            <Icon name="error" /> {t[opened.kind]}
-          </p>
-        )}
+        {opened && opened.kind !== "drawing" && <Message role="alert" tone="error">{t[opened.kind]}</Message>}
         {read && (
           <>
             <div className="contour-drawing dxf-preview">
@@ -83,9 +80,8 @@ export function DxfImport({ count, language, onTake }: Props) {
             <div className="dxf-choices">
               <label>
                 <span>{t.tolerance}</span>
-                <input className="input number" type="text" data-number="words" inputMode="decimal" autoComplete="off"
-                  value={inScreenWriting(language, tolerance)} aria-invalid={!fine} onChange={(e) => {
-                  const text = e.currentTarget.value, { value } = readText(TOLERANCE, text);
+                <NumberInput text={tolerance} signed={false} aria-invalid={!fine} onText={(text) => {
+                  const { value } = readText(TOLERANCE, text);
                   setTolerance(text);
                   if (value !== null) change({ tolerance: value, chain: 0 });
                 }} />

@@ -4,7 +4,7 @@ import { UNDERCUT_FORMS } from "../../kernel/contour/undercut.ts";
 import type { ContourRow } from "../../program/job/job.ts";
 import { formWord } from "../../program/blocks/recess-words.ts";
 import { isDiameterWord, recessWords } from "../../program/job/row-given.ts";
-import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
+import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
 import { closeStep } from "../../app/document/steps.ts";
 
 interface Props {
@@ -33,10 +33,9 @@ export function RecessFields({ row, number, language, describedBy, onChange }: P
       {recessWords(row).map((word) => (
         <label key={word}>
           <span className="number">{isDiameterWord(row, word) ? `${word} ⌀` : word}</span>
-          <input className="input number" type="text" data-number="words" inputMode="text" autoComplete="off" spellCheck={false}
-            maxLength={200} aria-label={t.wordOf(number, word)} aria-describedby={describedBy} data-row={row.id} data-field={word}
-            value={inScreenWriting(language, row.words[word] ?? "")} onBlur={closeStep} onFocus={(e) => e.currentTarget.select()}
-            onChange={(e) => onChange({ words: { ...row.words, [word]: e.currentTarget.value } }, `${row.id} ${word}`)} />
+          <NumberInput text={row.words[word] ?? ""} signed={false} inputMode="text" aria-label={t.wordOf(number, word)}
+            aria-describedby={describedBy} data-row={row.id} data-field={word} selects onLeave={closeStep}
+            onText={(text) => onChange({ words: { ...row.words, [word]: text } }, `${row.id} ${word}`)} />
         </label>
       ))}
     </div>

@@ -1,10 +1,7 @@
-import { useId, useRef, useState, type ReactNode } from "react";
+import { useId, useState, type ReactNode } from "react";
 import type { Statement } from "../../nc/statement.ts";
-import { sumOf } from "../../program/values/field.ts";
-import { useNumberEntry } from "../../app/fields/dialog/use-number-entry.ts";
-import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
-import { Icon } from "../../app/base/Icon.tsx";
-import { useSettings } from "../../app/base/settings/settings.ts";
+import { LabelledInput } from "../../app/fields/number/LabelledInput.tsx";
+import { Message } from "../../app/base/Message.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { closeStep } from "../../app/document/steps.ts";
 import type { WordField } from "../../app/fields/blocks/field.ts";
@@ -27,8 +24,6 @@ interface Typed {
 export function BlockField({ field, statement, change, more }: Props) {
   const t = useTexts().editor;
   const id = useId();
-  const input = useRef<HTMLInputElement>(null);
-  const language = useSettings((s) => s.language);
   const [typed, setTyped] = useState<Typed | null>(null);
   const said = field.read(statement);
   const shown = typed && typed.said === said ? typed.text : said;
@@ -40,25 +35,15 @@ export function BlockField({ field, statement, change, more }: Props) {
     setTyped({ text, said: next ? field.read(next) : said });
     if (next) change(next, field.id);
   };
-  const leave = () => {
-    closeStep();
-    if (!wrong) {
-      const sum = field.numeric && typed ? sumOf(typed.text) : null;
-      if (sum !== null) write(sum);
-      setTyped(null);
-    }
-  };
-  const { onKeyDown, onTyped } = useNumberEntry(input, shown, write);
-
   if (field.choices) {
     const choices: Readonly<Record<string, string>> = t.choices;
     return (
-      <div className="block-field" data-word={field.id}>
-        <span className="block-name">
+      <div className="block-field">
+        <span className="field-name">
           <label htmlFor={id}>{name}</label>
           {more}
         </span>
-        <select id={id} className="select" value={said} onChange={(event) => {
+        <select id={id} className="select" data-word={field.id} value={said} onChange={(event) => {
           closeStep();
           write(event.target.value);
           closeStep();
@@ -70,40 +55,22 @@ export function BlockField({ field, statement, change, more }: Props) {
       </div>
     );
   }
-  const { incremental } = field;
+  const { incremental, numeric, wide } = field;
   return (
-    <div className={`block-field${field.wide ? " wide" : ""}`} data-word={field.id}>
-      <span className="block-name">
-        <label htmlFor={id}>{name}</label>
-        {more}
-      </span>
-      <span className="block-value">
-        <input id={id} ref={input} type="text" className={`input${field.wide ? "" : " number"}`}
-          inputMode={field.numeric ? "decimal" : "text"} {...(field.numeric && { "data-number": "words" })} autoComplete="off"
-          spellCheck={false} maxLength={500} aria-invalid={wrong} aria-describedby={`${id}-unit ${id}-wrong`}
-          value={field.numeric ? inScreenWriting(language, shown) : shown} onChange={(event) => {
-          onTyped();
-          write(event.currentTarget.value);
-        }} onBlur={leave} {...(field.numeric && { onKeyDown })} />
-        <span className="soft small" id={`${id}-unit`}>{field.unit}</span>
-        {incremental && (
-          <button type="button" className="button incremental" aria-pressed={incremental.read(statement)} aria-label={t.incrementalOf(name)}
-            title={t.incremental} disabled={said === ""} onClick={() => {
-            closeStep();
-            change(incremental.write(statement, !incremental.read(statement)), `${field.id} incremental`);
-            closeStep();
-          }}>
-            I
-          </button>
-        )}
-      </span>
-      <div id={`${id}-wrong`} className="block-wrong" role="status">
-        {wrong && (
-          <p className="field-message error">
-            <Icon name="error" /> {t.notReadable}
-          </p>
-        )}
-      </div>
-    </div>
+    <LabelledInput className={`block-field${wide ? " wide" : ""}`} label={name} more={more} unit={field.unit ?? ""}
+      kind={numeric ? "number" : wide ? "text" : "typed"} data-word={field.id} text={shown} onText={write} onLeave={() => {
+      closeStep();
+      if (!wrong) setTyped(null);
+    }} aria-invalid={wrong} messages={wrong && <Message tone="error">{t.notReadable}</Message>}
+      button={incremental && (
+        <button type="button" className="button incremental" aria-pressed={incremental.read(statement)} aria-label={t.incrementalOf(name)}
+          title={t.incremental} disabled={said === ""} onClick={() => {
+          closeStep();
+          change(incremental.write(statement, !incremental.read(statement)), `${field.id} incremental`);
+          closeStep();
+        }}>
+          I
+        </button>
+      )} />
   );
 }

@@ -3,9 +3,9 @@ import { isKept } from "../../cycles/kept-cycles.ts";
 import { withBlock } from "../../nc/edit.ts";
 import { blockNumbers, startLines } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
-import { FieldMessage } from "../../app/fields/dialog/FieldMessage.tsx";
+import { FieldMessage } from "../../app/fields/number/FieldMessage.tsx";
 import type { FindingEntry } from "../../app/findings/entry.ts";
-import { Icon } from "../../app/base/Icon.tsx";
+import { Message } from "../../app/base/Message.tsx";
 import { CalledTool } from "./operations/CalledTool.tsx";
 import { DescribeCycle } from "../../app/fields/own/DescribeCycle.tsx";
 import { useGuidedBlock } from "../../app/place/open-call.ts";
@@ -41,7 +41,7 @@ function backToWord(form: HTMLElement | null): void {
   const { block } = useGuidedBlock.getState();
   if (!form || !block?.word || block.work !== useEditor.getState().work) return;
   useGuidedBlock.setState({ block: { ...block, word: null } });
-  form.querySelector<HTMLElement>(`[data-word="${CSS.escape(block.word)}"] :is(input, select)`)?.focus();
+  form.querySelector<HTMLElement>(`[data-word="${CSS.escape(block.word)}"]`)?.focus();
 }
 
 /** The dialog of a block that is no cycle of the catalogue: one field a word, made from the description of its kind. */
@@ -67,9 +67,7 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
     <div className="block-form" ref={form} role="form" aria-label={t.form}>
       <code className="number block-text">{block.raw.trimEnd()}</code>
       {(s.kind === "unknown" || (s.kind === "cycle" && isKept(s.cycle))) && !problems.some(({ issue }) => SAYS_SO.has(issue.code)) && (
-        <p className="field-message info">
-          <Icon name="info" /> {t.kept}
-        </p>
+        <Message tone="info">{t.kept}</Message>
       )}
       {s.kind === "cycle" && (
         <Suspense>

@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useRef, useState } from "react";
 import type { ShowBlock } from "../../app/place/place.ts";
 import { Icon } from "../../app/base/Icon.tsx";
+import { Message } from "../../app/base/Message.tsx";
 import { useVerdict } from "../../app/findings/use-findings.ts";
 import { copyProgram } from "../../app/fields/leaving/copy-program.ts";
 import { CopyStatus } from "../../app/fields/leaving/CopyStatus.tsx";
@@ -72,11 +73,7 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
       <WorkFiles />
       <SkipSwitch />
       <div ref={box} className="text-editor number" />
-      {foreign !== null && (
-        <p role="status" className="field-message warning">
-          <Icon name="warning" /> {t.editor.otherEncoding(foreign, name)}
-        </p>
-      )}
+      {foreign !== null && <Message role="status" tone="warning">{t.editor.otherEncoding(foreign, name)}</Message>}
       <FileNote {...(isUntiedText
         ? {
           text: t.page.text.untied,

@@ -8,6 +8,7 @@ import { bodyStl } from "../../view/solid/export.ts";
 import { showsPlane, useAskedView } from "../../app/pictures/plane/shown-view.ts";
 import { downloadBytes, downloadText } from "../../app/base/download.ts";
 import { Icon } from "../../app/base/Icon.tsx";
+import { Message } from "../../app/base/Message.tsx";
 import { playback } from "../../app/calculation/playback.ts";
 import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
 import { useLengths } from "../../app/calculation/lengths.ts";
@@ -43,7 +44,7 @@ function Opened({ words: t, stem, done }: { readonly words: ExportTexts; readonl
         </button>
       </div>
       <p>{lengths.unit === "mm" ? t.lead : t.leadInches}</p>
-      {dimmed && <Warning text={t.older} />}
+      {dimmed && <Message tone="warning">{t.older}</Message>}
       {!shown || shown.isBeginning ? <p role="status">{t.beginning}</p> : (
         <>
           <Bodies words={t} outcome={shown} stem={stem} say={say} />
@@ -54,12 +55,6 @@ function Opened({ words: t, stem, done }: { readonly words: ExportTexts; readonl
     </dialog>
   );
 }
-
-const Warning = ({ text }: { readonly text: string }) => (
-  <p className="field-message warning">
-    <Icon name="warning" /> {text}
-  </p>
-);
 
 interface Part {
   readonly words: ExportTexts;
@@ -107,8 +102,8 @@ function Bodies({ words: t, outcome: { run, simulation }, stem, say }: Part) {
         })}
       </ul>
       <p className="small soft">{t.bodiesHint}</p>
-      {run.plane.length > 0 && run.steps.length > 0 && <Warning text={t.milling} />}
-      {run.unproved.length > 0 && <Warning text={t.unproved} />}
+      {run.plane.length > 0 && run.steps.length > 0 && <Message tone="warning">{t.milling}</Message>}
+      {run.unproved.length > 0 && <Message tone="warning">{t.unproved}</Message>}
     </section>
   );
 }

@@ -4,6 +4,7 @@ import { ISO_GROUPS, readCuttingTable, usualTable, writeCuttingTable, type CutMa
   type CuttingTable } from "../../program/tools/cutting-table.ts";
 import { downloadText } from "../../app/base/download.ts";
 import { Icon } from "../../app/base/Icon.tsx";
+import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
 import { changeSettings, useSettings } from "../../app/base/settings/settings.ts";
 import { useAdviceTexts, useCuttingTable } from "../../app/fields/said/use-advice.ts";
 
@@ -22,8 +23,8 @@ function Cell({ name, value, take, isText = false }: CellProps) {
   const [typed, type] = useState<string | null>(null);
   const [refused, refuse] = useState(false);
   return (
-    <input className={isText ? "input" : "input number"} aria-label={name} inputMode={isText ? "text" : "decimal"} value={typed ?? value}
-      aria-invalid={refused} onChange={(event) => type(event.currentTarget.value)} onBlur={() => {
+    <NumberInput kind={isText ? "text" : "typed"} inputMode={isText ? "text" : "decimal"} aria-label={name} text={typed ?? value}
+      aria-invalid={refused} onText={type} onLeave={() => {
       if (typed === null) return;
       refuse(typed !== value && !take(typed));
       type(null);

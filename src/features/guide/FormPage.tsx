@@ -27,6 +27,7 @@ import { useGuidePlaces } from "./use-guide-places.ts";
 import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
 import "../../app/pictures/help/help.css";
 import "../../app/pictures/plane/approach.css";
+import { Message } from "../../app/base/Message.tsx";
 
 const SIZE = { width: 330, height: 220 };
 const MARGIN = { left: 24, right: 24, top: 24, bottom: 24 };
@@ -132,7 +133,7 @@ function FormValue({ word, form, source, frame, size }: CardProps) {
           );
         })}
       </dl>
-      {issue && <p className={`field-message ${issue.severity}`}>{issueText(issue)}</p>}
+      {issue && <Message tone={issue.severity}>{issueText(issue)}</Message>}
       {line !== null && !isUsual && !issue && (
         <button type="button" className="button value-take" onClick={(event) => {
           keepFocus(event.currentTarget, "section");

@@ -12,6 +12,7 @@ import { keepFocus } from "./keep-focus.ts";
 import type { TriedOutcome } from "./tried.ts";
 import { useAdviceTexts } from "../../app/fields/said/use-advice.ts";
 import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
+import { Message } from "../../app/base/Message.tsx";
 
 /** What a value changes against the usual one, in words. */
 function changeText(t: GuideTexts, language: Language, { passes, seconds, residual, rz, part, way }: ShownChange): string {
@@ -89,7 +90,7 @@ export function ValueCard({ tried, box, letter, text, unit, size, whose, meaning
           {advice.take(`${letter} = ${text}`)}
         </button>
       )}
-      {issue && <p className={`field-message ${issue.severity}`}>{issueText(issue)}</p>}
+      {issue && <Message tone={issue.severity}>{issueText(issue)}</Message>}
     </li>
   );
 }

@@ -6,6 +6,7 @@ import { VerdictText } from "../../app/findings/VerdictText.tsx";
 import { downloadBytes, downloadText } from "../../app/base/download.ts";
 import { LONGEST_LINK, SAFE_LINK } from "../../app/base/limits.ts";
 import { Icon } from "../../app/base/Icon.tsx";
+import { Message } from "../../app/base/Message.tsx";
 import { copyText, useCopying } from "../../app/findings/copy.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -98,11 +99,7 @@ function Ways({ words, ready }: { readonly words: HandedTexts; readonly ready: R
           </span>
           <textarea className="number" readOnly rows={3} value={link} onFocus={(event) => event.currentTarget.select()} />
         </label>
-        {warning !== null && (
-          <p className="field-message warning">
-            <Icon name="warning" /> {warning}
-          </p>
-        )}
+        {warning !== null && <Message tone="warning">{warning}</Message>}
         <div className="handing-ways">
           <button type="button" className="button primary" disabled={link === ""} onClick={() => void copyText(link)}>
             <Icon name={copied ? "check" : "copy"} /> {copied ? t.text.copied : words.copyLink}

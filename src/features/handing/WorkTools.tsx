@@ -4,6 +4,7 @@ import { cellOf, readEntry, type ToolEntry } from "../../program/tools/tool-entr
 import { toolsBeside, type KeepAs, type KeptTools, type ToolBeside } from "../../program/tools/tool-difference.ts";
 import { InsertDrawing } from "../../app/pictures/lathe/InsertDrawing.tsx";
 import { Icon } from "../../app/base/Icon.tsx";
+import { Message } from "../../app/base/Message.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { handedOn, useEditor } from "../../app/document/store.ts";
 import { useTools } from "../../app/document/tool-store.ts";
@@ -138,8 +139,7 @@ function Kept({ words, kept }: { readonly words: HandedTexts; readonly kept: Kep
   const [called, call] = useState(false);
   const [calls] = useState(() => callsOf(moved));
   return (
-    <div className="field-message info">
-      <Icon name="info" />
+    <Message as="div" tone="info">
       <div>
         <p>{added + replaced > 0 ? words.kept(added, replaced) : words.nothingToKeep}</p>
         {moved.map(({ from, to }) => <p key={from}>{words.moved(from, to)}</p>)}
@@ -155,6 +155,6 @@ function Kept({ words, kept }: { readonly words: HandedTexts; readonly kept: Kep
           )}
         </div>
       </div>
-    </div>
+    </Message>
   );
 }

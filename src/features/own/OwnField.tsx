@@ -1,36 +1,24 @@
-import { useId, useRef, type ReactNode } from "react";
-import { sumOf } from "../../program/values/field.ts";
+import type { ReactNode } from "react";
 import type { OwnProblem } from "../../program/edits/own-cycle.ts";
-import { useNumberEntry } from "../../app/fields/dialog/use-number-entry.ts";
-import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
-import { Icon } from "../../app/base/Icon.tsx";
-import { useSettings } from "../../app/base/settings/settings.ts";
+import { LabelledInput } from "../../app/fields/number/LabelledInput.tsx";
+import { Message } from "../../app/base/Message.tsx";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { closeStep } from "../../app/document/steps.ts";
 
-/** What is wrong with a field, read out when it changes. What is only not there yet is said calmly. */
-export function OwnProblems({ id, problems, text }: { readonly id: string; readonly problems: readonly OwnProblem[];
-  readonly text: string })
-{
+/** What is wrong with a field. What is only not there yet is said calmly. */
+export function OwnProblems({ problems, text }: { readonly problems: readonly OwnProblem[]; readonly text: string }) {
   const t = useTexts();
   const { own } = useTableTexts();
-  return (
-    <div id={id} className="own-wrong" role="status">
-      {problems.map((problem) => {
-        const tone = text.trim() === "" ? "info" : "error";
-        return (
-          <p key={problem.code} className={`field-message ${tone}`}>
-            <Icon name={tone} />
-            <span>
-              <span className="unseen">{t.findings.severities[tone]}:</span>
-              {own.problems[problem.code](problem.text)}
-            </span>
-          </p>
-        );
-      })}
-    </div>
-  );
+  const tone = text.trim() === "" ? "info" : "error";
+  return problems.map((problem) => (
+    <Message key={problem.code} tone={tone}>
+      <span>
+        <span className="unseen">{t.findings.severities[tone]}:</span>
+        {own.problems[problem.code](problem.text)}
+      </span>
+    </Message>
+  ));
 }
 
 interface Props {
@@ -41,34 +29,16 @@ interface Props {
   readonly text: string;
   readonly problems: readonly OwnProblem[];
   readonly onText: (text: string) => void;
-  /** A number: sums are worked out when it is left. */
-  readonly numeric?: boolean;
-  readonly whole?: boolean;
+  readonly kind?: "number" | "whole" | "text";
   readonly hint?: string;
 }
 
 /** One field of a description. Each keystroke goes to the list; leaving it ends the step of undo. */
-export function OwnField({ className, label, name, text, problems, onText, numeric = false, whole = false, hint }: Props) {
-  const id = useId();
-  const input = useRef<HTMLInputElement>(null);
-  const language = useSettings((s) => s.language);
-  const { onKeyDown, onTyped } = useNumberEntry(input, text, onText);
-  const leave = () => {
-    const sum = numeric ? sumOf(text) : null;
-    if (sum !== null) onText(sum);
-    closeStep();
-  };
+export function OwnField({ className, label, name, text, problems, onText, kind = "text", hint }: Props) {
   return (
-    <div className={`own-field ${className}`}>
-      <label htmlFor={id}>{label}</label>
-      <input id={id} ref={input} type="text" className={`input${numeric || whole ? " number" : ""}`}
-        inputMode={numeric ? "decimal" : whole ? "numeric" : "text"} {...((numeric || whole) && { "data-number": "words" })}
-        autoComplete="off" spellCheck={false} maxLength={500} aria-label={name} aria-invalid={text.trim() !== "" && problems.length > 0}
-        aria-describedby={`${id}-wrong`} placeholder={hint} value={numeric ? inScreenWriting(language, text) : text} onChange={(event) => {
-        onTyped();
-        onText(event.currentTarget.value);
-      }} onBlur={leave} {...(numeric && { onKeyDown })} />
-      <OwnProblems id={`${id}-wrong`} problems={problems} text={text} />
-    </div>
+    <LabelledInput className={`own-field ${className}`} label={label} text={text} onText={onText} onLeave={closeStep}
+      {...(kind === "whole" ? { kind: "typed", keypad: "words", inputMode: "numeric" } : { kind })} aria-label={name}
+      aria-invalid={text.trim() !== "" && problems.length > 0} placeholder={hint}
+      messages={<OwnProblems problems={problems} text={text} />} />
   );
 }

@@ -50,7 +50,7 @@ export function OwnForm({ entry, reading, name, onDuplicate, onRemove }: Props) 
         </button>
       </header>
       <div className="own-names">
-        <OwnField className="own-number" label={t.number} text={entry.number} problems={at("number")} whole
+        <OwnField className="own-number" label={t.number} text={entry.number} problems={at("number")} kind="whole"
           onText={(text) => setHead(entry.id, "number", text)} />
         <OwnField className="own-name" label={t.name} text={entry.name} problems={at("name")}
           onText={(text) => setHead(entry.id, "name", text)} />
@@ -64,7 +64,9 @@ export function OwnForm({ entry, reading, name, onDuplicate, onRemove }: Props) 
           </li>
         ))}
       </ol>
-      <OwnProblems id="own-parameters-wrong" problems={at("parameters")} text="." />
+      <div className="field-messages" role="status">
+        <OwnProblems problems={at("parameters")} text="." />
+      </div>
       <div>
         <button type="button" className="button own-add" disabled={!hasRoom(entry)} onClick={add}>
           <Icon name="add" /> {t.addParameter}

@@ -22,10 +22,10 @@ export function ParameterCard({ cycle, parameter, at, count, problems }: Props) 
   const t = useTableTexts().own;
   const id = useId();
   const q = parameter.q.trim() || String(at + 1);
-  const cell = (name: OwnCell, numeric = false, hint?: string) => (
+  const cell = (name: OwnCell, kind: "number" | "text" = "text", hint?: string) => (
     <OwnField key={name} className={`own-${name}`} label={t.cells[name]} name={`${q}: ${t.cells[name]}`} text={parameter[name]}
-      problems={problems.filter((problem) => problem.at === fieldId(parameter.id, name))} numeric={numeric}
-      {...(hint !== undefined && { hint })} onText={(text) => setOwnParameter(cycle, parameter.id, { [name]: text })} />
+      problems={problems.filter((problem) => problem.at === fieldId(parameter.id, name))} kind={kind} {...(hint !== undefined && { hint })}
+      onText={(text) => setOwnParameter(cycle, parameter.id, { [name]: text })} />
   );
   const tool = (icon: IconName, name: string, act: () => void, disabled = false) => (
     <button type="button" className="button icon plain" aria-label={name} title={name} disabled={disabled} onClick={act}>
@@ -51,8 +51,8 @@ export function ParameterCard({ cycle, parameter, at, count, problems }: Props) 
         {tool("remove", t.removeParameter(q), () => removeParameter(cycle, parameter.id))}
       </div>
       {cell("prompt")}
-      {parameter.kind === "choice" ? cell("choices", false, t.choicesHint) : [cell("min", true), cell("max", true)]}
-      {cell("first", true)}
+      {parameter.kind === "choice" ? cell("choices", "text", t.choicesHint) : [cell("min", "number"), cell("max", "number")]}
+      {cell("first", "number")}
     </div>
   );
 }

@@ -2,7 +2,7 @@ import { useId, useRef, useState } from "react";
 import { fillingOf, isWholeCode, nameOfCodes } from "../../program/iso-codes/code-cells.ts";
 import { readToolCodes } from "../../program/iso-codes/tool-code.ts";
 import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
-import { Icon } from "../../app/base/Icon.tsx";
+import { Message } from "../../app/base/Message.tsx";
 import { CodeFillings, CodeNotes, CodeParts } from "./CodeReading.tsx";
 import { setCells } from "./tool-edits.ts";
 import { useToolWords } from "./use-tool-words.ts";
@@ -52,18 +52,10 @@ export function CodeField({ entry }: { readonly entry: ToolEntry }) {
         </button>
       )}
       {[codes.holder, codes.insert].map((code) => code && <CodeParts key={code.kind} parts={code.parts} words={w} />)}
-      <div role="status" className="tool-wrong">
-        {codes.notCovered && (
-          <p className="field-message warning">
-            <Icon name="warning" /> <span>{w.notCovered[codes.notCovered]}</span>
-          </p>
-        )}
+      <div role="status" className="field-messages">
+        {codes.notCovered && <Message tone="warning">{w.notCovered[codes.notCovered]}</Message>}
         <CodeNotes notes={notes} words={w} />
-        {said !== "" && (
-          <p className="field-message info">
-            <Icon name="info" /> <span>{said}</span>
-          </p>
-        )}
+        {said !== "" && <Message tone="info">{said}</Message>}
         {typed.trim() !== "" && !codes.notCovered && cells.length === 0 && <p className="soft small">{w.nothing}</p>}
       </div>
       {cells.length > 0 && (

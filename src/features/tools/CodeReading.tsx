@@ -4,7 +4,7 @@ import { isHolderFilling, type CodeNote, type Filling } from "../../program/iso-
 import type { CodePart, CodeMeaning } from "../../program/iso-codes/code-part.ts";
 import type { HolderCell } from "../../program/tools/tool-columns.ts";
 import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
-import { Icon } from "../../app/base/Icon.tsx";
+import { Message } from "../../app/base/Message.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 
@@ -109,10 +109,6 @@ export function CodeNotes({ notes, words: w }: { readonly notes: readonly CodeNo
   const language = useSettings((s) => s.language);
   return notes.map((note, i) => {
     const differs = DIFFERENCES.includes(note.is);
-    return (
-      <p key={i} className={`field-message ${differs ? "warning" : "info"}`}>
-        <Icon name={differs ? "warning" : "info"} /> <span>{noteOf(note, w, (n) => formatNumber(language, n, 3))}</span>
-      </p>
-    );
+    return <Message key={i} tone={differs ? "warning" : "info"}>{noteOf(note, w, (n) => formatNumber(language, n, 3))}</Message>;
   });
 }

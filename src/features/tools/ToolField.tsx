@@ -1,30 +1,33 @@
-import { useId, useRef } from "react";
 import type { Issue } from "../../kernel/plan/issue.ts";
-import { sumOf } from "../../program/values/field.ts";
 import type { HolderNumber, NumberColumn } from "../../program/tools/tool-columns.ts";
 import { isDrillType, ruleOf } from "../../program/tools/tool-columns.ts";
 import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
-import { FieldMessage } from "../../app/fields/dialog/FieldMessage.tsx";
-import { useNumberEntry } from "../../app/fields/dialog/use-number-entry.ts";
-import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
-import { useSettings } from "../../app/base/settings/settings.ts";
+import { FieldMessage } from "../../app/fields/number/FieldMessage.tsx";
+import { LabelledInput } from "../../app/fields/number/LabelledInput.tsx";
 import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { setCell } from "./tool-edits.ts";
 import { closeStep } from "../../app/document/steps.ts";
 
-/** What is wrong with a cell, read out when it changes. An empty cell that is needed is said calmly. */
-export function CellMessages({ id, issues, text, onTake, decimals = 4 }: { readonly id: string; readonly issues: readonly Issue[];
-  readonly text: string; readonly decimals?: number; readonly onTake?: (nearest: number) => void })
-{
-  return (
-    <div id={id} className="tool-wrong" role="status">
-      {issues.map((issue) => (
-        <FieldMessage key={issue.code} problem={{ issue }} decimals={decimals} calm={text.trim() === "" && issue.severity === "error"}
-          {...(onTake && { onTake })} />
-      ))}
-    </div>
-  );
+interface MessagesProps {
+  readonly issues: readonly Issue[];
+  readonly text: string;
+  readonly decimals?: number;
+  readonly onTake?: (nearest: number) => void;
 }
+
+/** What is wrong with a cell. An empty cell that is needed is said calmly. */
+const Messages = ({ issues, text, decimals = 4, onTake }: MessagesProps) =>
+  issues.map((issue) => (
+    <FieldMessage key={issue.code} problem={{ issue }} decimals={decimals} calm={text.trim() === "" && issue.severity === "error"}
+      {...(onTake && { onTake })} />
+  ));
+
+/** The same below a field that is no number, read out when it changes. */
+export const CellMessages = ({ id, ...of }: MessagesProps & { readonly id: string }) => (
+  <div id={id} className="field-messages" role="status">
+    <Messages {...of} />
+  </div>
+);
 
 const UNITS = { length: "mm", angle: "degrees", number: null } as const;
 
@@ -43,46 +46,27 @@ export function ToolField({ entry, cell, issues, unused = null }: {
   readonly unused?: string | null;
 }) {
   const t = useTableTexts().tools;
-  const id = useId();
-  const input = useRef<HTMLInputElement>(null);
-  const language = useSettings((s) => s.language);
-  const text = cellOf(entry, cell);
+  const text = cellOf(entry, cell), type = cellOf(entry, "TYPE");
   const put = (next: string) => setCell(entry.id, cell, next);
-  const { onKeyDown, onTyped } = useNumberEntry(input, text, put);
-  const { kind, range: [min], decimals } = ruleOf(cell, cellOf(entry, "TYPE"));
-  const isHolder = cell in t.holder;
-  const column = isHolder ? null : cell as NumberColumn;
-  const meaning = ownMeaning(t, cell, cellOf(entry, "TYPE")) ?? (column ? t.columns[column] : t.holder[cell as HolderNumber]);
+  const { kind, range: [min], decimals } = ruleOf(cell, type);
+  const column = cell in t.holder ? null : cell as NumberColumn;
+  const meaning = ownMeaning(t, cell, type) ?? (column ? t.columns[column] : t.holder[cell as HolderNumber]);
   const found = issues.filter((issue) => issue.at === cell);
-
-  const commit = () => {
-    const sum = sumOf(text);
-    if (sum !== null) put(sum);
-    closeStep();
-  };
-
   return (
-    <div className={`tool-field${unused === null ? "" : " unused"}`}>
-      <label htmlFor={id}>
-        {column && <b className="number">{column}</b>} <span className="soft small">{meaning}</span>
-      </label>
-      <span className="tool-value">
-        <input id={id} ref={input} className="input number" type="text" data-number="words" inputMode="decimal" autoComplete="off"
-          spellCheck={false} maxLength={200} aria-label={column ? t.field(column, meaning) : meaning} disabled={unused !== null}
-          aria-invalid={found.some((issue) => issue.severity === "error")} aria-describedby={`${id}-unit ${id}-wrong`}
-          value={inScreenWriting(language, text)} onBlur={commit} onKeyDown={min < 0 ? onKeyDown : undefined} onChange={(e) => {
-          onTyped();
-          put(e.currentTarget.value);
+    <LabelledInput className={`tool-field${unused === null ? "" : " unused"}`} text={text} onText={put} onLeave={closeStep} signed={min < 0}
+      label={
+        <>
+          {column && <b className="number">{column}</b>} <span className="soft small">{meaning}</span>
+        </>
+      } aria-label={column ? t.field(column, meaning) : meaning}
+      unit={unused === null ? UNITS[kind] && t.units[UNITS[kind]] : t.unused(unused)} disabled={unused !== null}
+      aria-invalid={found.some((issue) => issue.severity === "error")}
+      messages={
+        <Messages issues={found} text={text} decimals={decimals} onTake={(nearest) => {
+          closeStep();
+          put(String(nearest));
+          closeStep();
         }} />
-        <span className="soft small tool-unit" id={`${id}-unit`}>
-          {unused === null ? UNITS[kind] && t.units[UNITS[kind]] : t.unused(unused)}
-        </span>
-      </span>
-      <CellMessages id={`${id}-wrong`} issues={found} text={text} decimals={decimals} onTake={(nearest) => {
-        closeStep();
-        put(String(nearest));
-        closeStep();
-      }} />
-    </div>
+      } />
   );
 }

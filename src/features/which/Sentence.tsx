@@ -2,7 +2,7 @@ import type { ReactNode } from "react";
 import type { WhichTexts } from "../../i18n/which-text.ts";
 import type { TurnedShape } from "../../cycles/define.ts";
 import type { Site } from "../../cycles/wanted.ts";
-import { Icon } from "../../app/base/Icon.tsx";
+import { Message } from "../../app/base/Message.tsx";
 import { NumberField } from "../../app/fields/setup/NumberField.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { ASKED, canBePreturned, measuresOf, type Sought, type AskingFault, type Measure,
@@ -65,13 +65,7 @@ export function Sentence({ words, asking, fault, inWork, onAsk }: Props) {
           <div key={m}>
             <NumberField field={ASKED[m]} name={nameOf(m)} unit={unitOf(m)} text={asking.typed[m]}
               onText={(text) => onAsk({ typed: { ...asking.typed, [m]: text } })} />
-            <div role="status">
-              {fault?.at === m && (
-                <p className="field-message error">
-                  <Icon name="error" /> {words.faults[fault.code]}
-                </p>
-              )}
-            </div>
+            <div role="status">{fault?.at === m && <Message tone="error">{words.faults[fault.code]}</Message>}</div>
           </div>
         ))}
       </div>

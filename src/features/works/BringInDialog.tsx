@@ -2,6 +2,7 @@ import { useEffect, useId, useRef, useState } from "react";
 import type { DeviceTexts } from "../../i18n/en/device.ts";
 import { goToEntrance } from "../../app/document/go-home.ts";
 import { Icon } from "../../app/base/Icon.tsx";
+import { Message } from "../../app/base/Message.tsx";
 import type { ReadArchive } from "../../app/records/archive.ts";
 import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
 import { endBringing, type Bringing } from "../../app/records/bring-in-place.ts";
@@ -135,15 +136,9 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
         </label>
       )}
       {archive.unread.length > 0 && (
-        <p className="field-message warning">
-          <Icon name="warning" /> <span>{t.unread(archive.unread.length, archive.unread.slice(0, 12).join(", "))}</span>
-        </p>
+        <Message tone="warning">{t.unread(archive.unread.length, archive.unread.slice(0, 12).join(", "))}</Message>
       )}
-      {archive.unreadParts.map((part) => (
-        <p key={part} className="field-message warning">
-          <Icon name="warning" /> <span>{t.unreadParts[part]}</span>
-        </p>
-      ))}
+      {archive.unreadParts.map((part) => <Message key={part} tone="warning">{t.unreadParts[part]}</Message>)}
       <div className="bring-buttons">
         <button type="button" className="button primary" disabled={nothing || busy} onClick={() => void take()}>
           {nothing ? t.nothing : t.take}

@@ -1,5 +1,5 @@
 import { isolateHistory, redo, undo, undoDepth } from "@codemirror/commands";
-import { EditorState, type StateCommand, type TransactionSpec } from "@codemirror/state";
+import { Annotation, EditorState, type StateCommand, type TransactionSpec } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
 import { readingOf, type Reading } from "../../../nc/reread.ts";
 import type { Program } from "../../../nc/program.ts";
@@ -11,11 +11,9 @@ import { closeStep, goesOn, note, type HistoryStep } from "../../document/steps.
 import { setProgram, useEditor } from "../../document/store.ts";
 import { fileOf, withText, type ProgramWork, type WorkFile } from "../../document/work.ts";
 import { changesBetween } from "./block-edits.ts";
-import { dialogEdit } from "./dialog-edit.ts";
 import { editorExtensions } from "./editor-extensions.ts";
 import { forgetHalf, watchText } from "./half-typed.ts";
-import { fileText, heldAs, type HeldText as Text } from "./held-text.ts";
-import { withHistory, writtenState } from "./kept-text.ts";
+import { fileText, heldAs, withHistory, writtenState, type HeldText as Text } from "./held-text.ts";
 import { lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
 import { blockRange, cursorBlock, isRead, parameterAt, parameterOffset, readFurther, readingField } from "./reading-field.ts";
 import { createTextView, type TextUpdate, type TextView } from "./text-view.ts";
@@ -36,6 +34,9 @@ export interface Session {
   /** Counts up with each text that is put into the editor in place of another. */
   readonly put: number;
 }
+
+/** Marks a change that a dialog made: the panels follow at once, and the text keeps its place. */
+const dialogEdit = Annotation.define<boolean>();
 
 const none: Session = { reading: readingOf(""), index: -1, parameter: null, opened: 0, pointed: 0, put: 0 };
 export const useSession = heldWhileTyping<Session>(() => none);

@@ -1,5 +1,5 @@
 import { useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
-import { Icon } from "../../base/Icon.tsx";
+import { Message } from "../../base/Message.tsx";
 import { useFirstTexts } from "../../base/settings/use-first-texts.ts";
 import { useFingers, useMedia } from "../../base/use-media.ts";
 import { CycleGroup } from "./CycleGroup.tsx";
@@ -92,11 +92,7 @@ export function CycleChooser({ ways: given, narrow = false, inProgram = false, f
       <div className="small soft cycle-found" role="status">
         {found && taken && `${(others?.count ? foundWords : undefined)?.(count) ?? t.found(count)} ${t.enter(taken.name)}`}
         {found && !taken && beside.length === 0 && t.none}
-        {beside.map(({ number, why }) => (
-          <p key={number} className="field-message info">
-            <Icon name="info" /> <span>{t[why](nameOf(number))}</span>
-          </p>
-        ))}
+        {beside.map(({ number, why }) => <Message key={number} tone="info">{t[why](nameOf(number))}</Message>)}
         {!found && (fingers ? t.languages : `${t.languages} ${t.keys}`)}
       </div>
       {found

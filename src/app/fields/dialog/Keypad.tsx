@@ -3,15 +3,15 @@ import { decimalSign } from "../../../i18n/number.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
+import { fieldEntry, writeEntry } from "../keypad/field-typing.ts";
+import { toggleIncremental, type EntryState } from "../number/number-entry.ts";
 import { padButton, writingKeys, type PadKey } from "./KeyGrid.tsx";
-import { toggleIncremental, type EntryState } from "./number-entry.ts";
 import { commandsOf, type Prompt, type PromptSession } from "./session.ts";
-import type { ValueField } from "./ValueInput.tsx";
 
 interface Props {
   readonly session: PromptSession;
   readonly prompt: Prompt;
-  readonly input: RefObject<ValueField | null>;
+  readonly input: RefObject<HTMLInputElement | null>;
 }
 
 /** The keys in their rows: a calculator with the keys of the control beside it, and the keys of path words. */
@@ -29,8 +29,8 @@ export function Keypad({ session, prompt, input }: Props) {
   const change = (by: (entry: EntryState) => EntryState) => () => {
     const open = input.current;
     if (!open) return;
-    open.focus();
-    open.write(by(open.read()));
+    open.focus({ preventScroll: true });
+    writeEntry(open, by(fieldEntry(open)));
   };
   const writing = writingKeys(t, sign, numeric, change);
   const keys: Readonly<Record<string, PadKey>> = {

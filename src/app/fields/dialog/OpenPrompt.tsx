@@ -1,23 +1,24 @@
 import { Suspense, useId, useLayoutEffect, useRef, useState, type RefObject } from "react";
 import { isError, isOpen, type FindingEntry } from "../../findings/entry.ts";
+import { Message } from "../../base/Message.tsx";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { closeStep } from "../../document/steps.ts";
 import { isSetupPlace } from "./setup-prompts.ts";
 import { MoreLater } from "../said/MoreLater.tsx";
+import { FieldMessage } from "../number/FieldMessage.tsx";
 import { ChoiceInput } from "./ChoiceInput.tsx";
-import { FieldMessage } from "./FieldMessage.tsx";
 import { onPromptKey, onPromptTab } from "./prompt-keys.ts";
 import { commandsOf, suggestionFor, type Prompt, type PromptSession } from "./session.ts";
 import { PromptSteps } from "./PromptSteps.tsx";
-import { ValueInput, type ValueField } from "./ValueInput.tsx";
+import { ValueInput } from "./ValueInput.tsx";
 import { inScreenWriting, writeTyped } from "./write-value.ts";
 
 interface Props {
   readonly session: PromptSession;
   readonly prompt: Prompt;
   readonly ownKeypad: boolean;
-  readonly input: RefObject<ValueField | null>;
+  readonly input: RefObject<HTMLInputElement | null>;
 }
 
 /** The open prompt, large: question, value, unit, range, what is wrong, what it does. */
@@ -43,7 +44,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
   };
   const take = (text: string) => {
     commandsOf(session).take(text);
-    input.current?.focus();
+    input.current?.focus({ preventScroll: true });
   };
   const beside = ({ entry, place }: (typeof besides)[number]) => (
     <FieldMessage key={entry.id} problem={entry} decimals={prompt.decimals} {...(place !== undefined && { place })}
@@ -117,7 +118,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
             )),
             ...besides.filter(({ entry }) => !isError(entry)).map(beside),
           ]}
-          {waits && <p className="field-message info">{t.approach.parameter}</p>}
+          {waits && <Message tone="info">{t.approach.parameter}</Message>}
         </div>
         {prompt.doubt !== null && explained === prompt.id && <p className="evidence-text small">{prompt.doubt}</p>}
         <p className="explanation">{prompt.about}</p>

@@ -7,7 +7,6 @@ import { OpenPrompt } from "./OpenPrompt.tsx";
 import { onPromptKey } from "./prompt-keys.ts";
 import { PromptList } from "./PromptList.tsx";
 import { openPromptOf, type PromptSession } from "./session.ts";
-import type { ValueField } from "./ValueInput.tsx";
 
 interface Props {
   readonly session: PromptSession;
@@ -27,7 +26,7 @@ interface Props {
 /** A dialog as the control leads through it: one prompt open, all others one line each, a picture of what they say. */
 export function PromptDialog({ session, name, listName, done, hint, head, instead, className = "" }: Props) {
   const fingers = useFingers();
-  const input = useRef<ValueField | null>(null);
+  const input = useRef<HTMLInputElement>(null);
   const open = openPromptOf(session);
   const dock = useHelpDock((d) => d.dock), fills = dock !== null && !instead;
   useLayoutEffect(() => (fills ? fillHelpDock() : undefined), [fills]);

@@ -45,6 +45,40 @@ export interface Prompt {
   readonly action?: { readonly label: string; readonly run: () => void; readonly needed: boolean };
 }
 
+/** What of the description of a value a prompt takes over as it stands. */
+type PromptField = Pick<Prompt, "id"> & Partial<Pick<Prompt, "letter" | "optional" | "increments" | "decimals">>;
+
+/** The texts of a prompt; `label`: in the list, where that is not the question. */
+interface PromptWords {
+  readonly prompt: string;
+  readonly label?: string;
+  readonly about: string;
+}
+
+/** A prompt with defaults: a required number without unit and bounds, always in effect, of three decimals. `more` overrides them. */
+export const promptOf = (
+  { id, letter = id, optional = false, increments = false, decimals = 3 }: PromptField,
+  { prompt, label = prompt, about }: PromptWords,
+  more: Pick<Prompt, "name" | "shown"> & Partial<Prompt>,
+): Prompt => ({
+  id,
+  letter,
+  question: prompt,
+  label,
+  about,
+  unit: "",
+  range: null,
+  notes: [],
+  doubt: null,
+  choices: null,
+  optional,
+  idle: false,
+  increments,
+  auto: false,
+  decimals,
+  ...more,
+});
+
 export interface PromptGroup {
   readonly id: string;
   readonly letter: string;

@@ -8,7 +8,7 @@ import type { Tool } from "../../../kernel/plan/tool.ts";
 import { setBlank, setStart, setTool } from "../../document/edits.ts";
 import { goToField } from "../../place/place.ts";
 import type { JobReading } from "../../document/reading.ts";
-import type { Prompt } from "./session.ts";
+import { promptOf, type Prompt } from "./session.ts";
 import { inScreenWriting } from "./write-value.ts";
 
 /** The prompts of the set-up in the order in which a setter has it, each with the word that the control has for it. */
@@ -89,7 +89,7 @@ export function setupPrompts(read: JobReading, t: Texts, language: Language, too
   };
   const draft: Record<string, string> = {};
   const readings: Record<string, FieldReading> = {};
-  const fields = PLACES.map(({ id, letter, field, group }, i): Prompt => {
+  const fields = PLACES.map(({ id, letter, field, group }, i) => {
     const isProposed = setup.proposed.has(id);
     const text = valueAt(read, id);
     draft[id] = isProposed ? "" : text;
@@ -97,29 +97,16 @@ export function setupPrompts(read: JobReading, t: Texts, language: Language, too
     const unit = unitAt(id, text);
     const inGroup = PLACES.filter((place) => place.group === group);
     const proposes = inGroup.some((place) => setup.proposed.has(place.id));
-    return {
-      id,
-      letter,
-      question: names[id],
-      label: names[id],
-      about: id === "tool" ? t.dialog.setup.tool : group === "start" ? words.start.hint : t.dialog.setup.blank[id],
+    const about = id === "tool" ? t.dialog.setup.tool : group === "start" ? words.start.hint : t.dialog.setup.blank[id];
+    return promptOf({ id, letter, optional: true }, { prompt: names[id], about }, {
       page: ["guide", "setup", id],
       name: t.dialog.value(letter, names[id]),
       unit,
-      range: null,
-      notes: [],
-      doubt: null,
-      choices: null,
-      optional: true,
-      idle: false,
-      increments: false,
-      auto: false,
-      decimals: 3,
       shown: { text: screen(text), unit: id === "tool" ? "" : unit, soft: isProposed },
       suggestion: { text, holds: true },
       group: { ...shownOf[group], id: group, name: groups[group], soft: proposes, at: [i + 1, PLACES.length] },
       ...(id === "tool" && { action: { label: words.tool.choose, run: () => goToField("setup", "tool"), needed: false } }),
-    };
+    });
   });
   return { fields, draft, readings };
 }

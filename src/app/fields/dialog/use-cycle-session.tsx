@@ -16,7 +16,7 @@ import { closeStep } from "../../document/steps.ts";
 import { useToolList } from "../../document/work-tools.ts";
 import { HelpSlot } from "./HelpSlot.tsx";
 import { isSetupPlace, setPlace, setupPrompts } from "./setup-prompts.ts";
-import type { Prompt, PromptSession } from "./session.ts";
+import { promptOf, type Prompt, type PromptSession } from "./session.ts";
 import { unitOf, writeValue } from "./write-value.ts";
 
 /** A cycle block of a program: what is wrong with it only, and how its prompts are written into its text. */
@@ -70,67 +70,40 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     if (param.evidence !== "A") return evidence.parameter;
     return param.rangeEvidence !== "A" && !param.choices ? evidence.range : null;
   };
-  const promptOf = ([q, param]: readonly [string, Param]): Prompt => {
-    const words = t.params[param.text as ParamTextId];
+  const asked = ([q, param]: readonly [string, Param]): Prompt => {
+    const { prompt, label, explanation, ...words } = t.params[param.text as ParamTextId];
     const meanings: Readonly<Record<number, string>> = "choices" in words ? words.choices : {};
     const idle = saysNothing(param, reading.partial);
-    const without = idle && param.counts ? `${param.counts.q} = ${String(reading.partial[param.counts.q])}` : null;
-    return {
-      id: q,
-      letter: q,
-      question: words.prompt,
-      label: words.label,
-      about: words.explanation,
+    const suggested = param.optional ? null : suggestedValue(cycle, q, context);
+    return promptOf({ id: q, optional: param.optional, decimals: param.decimals }, { prompt, label, about: explanation }, {
       page: ["guide", String(cycle.number), q],
-      name: t.dialog.value(q, words.prompt),
+      name: t.dialog.value(q, prompt),
       unit: unitText(param),
       range: param.choices ? null : t.dialog.range(number(param, param.range[0]), number(param, param.range[1])),
       notes: [
         ...(param.incremental ? [t.dialog.incremental] : []),
         ...(param.optional ? [t.dialog.optional] : []),
         ...(param.reserved ? [t.dialog.reserved] : []),
-        ...(without === null ? [] : [t.dialog.withoutEffect(without)]),
+        ...(idle && param.counts ? [t.dialog.withoutEffect(`${param.counts.q} = ${String(reading.partial[param.counts.q])}`)] : []),
       ],
       doubt: doubtOf(param),
       choices: param.choices?.map((n) => ({ value: String(n), meaning: meanings[n] ?? "" })) ?? null,
-      optional: param.optional,
       idle,
-      increments: false,
       auto: param.kind === "feed",
-      decimals: param.decimals,
       shown: shownOf(q, param),
-      suggestion: suggestionOf(q, param),
-    };
-  };
-  const suggestionOf = (q: string, param: Param): Prompt["suggestion"] => {
-    const found = suggestedValue(cycle, q, context);
-    return found === null || param.optional ? undefined : { text: String(found), holds: false };
+      ...(suggested !== null && { suggestion: { text: String(suggested), holds: false } }),
+    });
   };
   const contourPrompt = (): Prompt => {
-    const { contour: words } = t.dialog;
+    const { question, label, about, elements, none, change } = t.dialog.contour;
     const has = job.contour.length > 0;
-    return {
-      id: "contour",
-      letter: "LBL",
-      question: words.question,
-      label: words.label,
-      about: words.about,
+    return promptOf({ id: "contour", letter: "LBL", optional: true }, { prompt: question, label, about }, {
       page: ["guide", "contour"],
-      name: words.label,
-      unit: "",
-      range: null,
-      notes: [],
-      doubt: null,
-      choices: null,
-      optional: true,
-      idle: false,
-      increments: false,
-      auto: false,
-      decimals: 0,
-      shown: { text: has ? words.elements(job.contour.length) : words.none, unit: "", soft: !has },
+      name: label,
+      shown: { text: has ? elements(job.contour.length) : none, unit: "", soft: !has },
       bare: true,
-      action: { label: has ? words.change : t.findings.done.toContour, run: () => showSection("contour"), needed: !has },
-    };
+      action: { label: has ? change : t.findings.done.toContour, run: () => showSection("contour"), needed: !has },
+    });
   };
   const setup = setupPrompts(read, t, language, tools);
   const contour = block === null && cycle.contour === "free" ? [contourPrompt()] : [];
@@ -155,7 +128,7 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     closeStep();
   };
   return {
-    fields: [...setup.fields, ...contour, ...Object.entries<Param>(cycle.params).map(promptOf)],
+    fields: [...setup.fields, ...contour, ...Object.entries<Param>(cycle.params).map(asked)],
     draft: { ...draft, ...setup.draft },
     readings: { ...reading.perField, ...setup.readings },
     findings,

@@ -1,5 +1,5 @@
 import { flushSync } from "react-dom";
-import type { EntryState } from "../dialog/number-entry.ts";
+import type { EntryState } from "../number/number-entry.ts";
 
 /** Which letters a number field takes beside digits: "words" parameters, "open" also a question mark for what is not given. */
 export type NumberLetters = "words" | "open";

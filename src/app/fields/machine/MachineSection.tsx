@@ -1,4 +1,4 @@
-import { useId, useRef, useState } from "react";
+import { useId, useRef, useState, type KeyboardEvent } from "react";
 import type { MachineTexts } from "../../../i18n/en/machine.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import type { MachineData } from "../../../program/machine/machine-data.ts";
@@ -6,10 +6,11 @@ import { EXAMPLE_MACHINE_NAMES, EXAMPLE_MACHINES } from "../../../program/machin
 import { machineOf, readMachine, writeMachine, type MachineProblem } from "../../../program/machine/machine-file.ts";
 import { downloadText } from "../../base/download.ts";
 import { Icon } from "../../base/Icon.tsx";
+import { Message } from "../../base/Message.tsx";
 import { changeSettings, useSettings } from "../../base/settings/settings.ts";
+import { LabelledInput } from "../number/LabelledInput.tsx";
 import { draftOfMachine, problemAt, readMachineDraft, MACHINE_FIELDS, type DraftPoint, type MachineDraft,
   type MachineField } from "./draft.ts";
-import { MachineInput } from "./MachineInput.tsx";
 import { useMachineTextsSoon } from "../../base/use-machine-texts.ts";
 import "./machine.css";
 
@@ -86,11 +87,7 @@ function Section({ t }: { readonly t: MachineTexts }) {
           <MachineForm t={t} draft={draft} problems={"problems" in read ? read.problems : []} type={type} />
         </details>
       )}
-      {draft && !machine && (
-        <p className="field-message warning" role="status">
-          <Icon name="warning" /> {t.kept}
-        </p>
-      )}
+      {draft && !machine && <Message tone="warning" role="status">{t.kept}</Message>}
       {draft && <p className="small soft">{functions}</p>}
       <div className="bring-buttons">
         {machine && (
@@ -131,12 +128,24 @@ interface FormProps {
   readonly type: (draft: MachineDraft) => void;
 }
 
+/** Enter in a form of the settings would close them. */
+function keepOpen(event: KeyboardEvent): void {
+  if (event.key === "Enter") event.preventDefault();
+}
+
 function MachineForm({ t, draft, problems, type }: FormProps) {
   const id = useId();
   const language = useSettings((s) => s.language);
   const said = (at: string): string | null => {
     const problem = problemAt(problems, at);
     return problem ? t.problems[problem.kind]("", formatNumber(language, problem.limit ?? 0)) : null;
+  };
+  const input = (name: string, unit: string, text: string, at: string, onText: (text: string) => void) => {
+    const wrong = said(at);
+    return (
+      <LabelledInput key={at} className="setup-field" label={name} unit={unit} text={text} onText={onText} keypad="none"
+        aria-invalid={wrong !== null} messages={wrong !== null && <Message tone="error">{wrong}</Message>} onKeyDown={keepOpen} />
+    );
   };
   const { torque } = draft;
   const setPoint = (which: number, change: Partial<DraftPoint>) =>
@@ -147,27 +156,24 @@ function MachineForm({ t, draft, problems, type }: FormProps) {
       <label className="machine-name">
         <span>{t.name}</span>
         <input className="input" type="text" maxLength={60} autoComplete="off" value={draft.name} aria-invalid={said("name") !== null}
-          onKeyDown={(event) => event.key === "Enter" && event.preventDefault()}
-          onChange={(event) => type({ ...draft, name: event.currentTarget.value })} />
+          onKeyDown={keepOpen} onChange={(event) => type({ ...draft, name: event.currentTarget.value })} />
       </label>
       {GROUP_NAMES.map((group) => (
         <fieldset key={group} className="machine-group">
           <legend>{t.groups[group]}</legend>
-          {GROUPS[group].map(([field, unit]) => (
-            <MachineInput key={field} name={t.fields[field]} unit={t.units[unit]} text={draft[field]} wrong={said(MACHINE_FIELDS[field])}
-              onText={(text) => type({ ...draft, [field]: text })} />
-          ))}
-          {group === "acceleration" && alone !== null && <p className="field-message error">{alone}</p>}
+          {GROUPS[group].map(([field, unit]) =>
+            input(t.fields[field], t.units[unit], draft[field], MACHINE_FIELDS[field], (text) => type({ ...draft, [field]: text }))
+          )}
+          {group === "acceleration" && alone !== null && <Message tone="error">{alone}</Message>}
         </fieldset>
       ))}
       <fieldset className="machine-group">
         <legend>{t.groups.torque}</legend>
         {torque.map((point, i) => (
           <div key={`${id}${i}`} className="machine-point">
-            <MachineInput name={t.fields.speed(`${i + 1}`)} unit={t.units.rpm} text={point.speed} wrong={said(`spindle.torque.${i}.speed`)}
-              onText={(speed) => setPoint(i, { speed })} />
-            <MachineInput name={t.fields.torque(`${i + 1}`)} unit={t.units.torque} text={point.torque}
-              wrong={said(`spindle.torque.${i}.torque`)} onText={(of) => setPoint(i, { torque: of })} />
+            {input(t.fields.speed(`${i + 1}`), t.units.rpm, point.speed, `spindle.torque.${i}.speed`, (speed) => setPoint(i, { speed }))}
+            {input(t.fields.torque(`${i + 1}`), t.units.torque, point.torque, `spindle.torque.${i}.torque`,
+              (of) => setPoint(i, { torque: of }))}
             <button type="button" className="button icon plain" aria-label={t.removePoint(`${i + 1}`)}
               onClick={() => type({ ...draft, torque: torque.filter((_, each) => each !== i) })}
             >
@@ -175,7 +181,7 @@ function MachineForm({ t, draft, problems, type }: FormProps) {
             </button>
           </div>
         ))}
-        {curve !== null && <p className="field-message error">{curve}</p>}
+        {curve !== null && <Message tone="error">{curve}</Message>}
         <button type="button" className="button" disabled={torque.length >= MOST_POINTS}
           onClick={() => type({ ...draft, torque: [...torque, EMPTY_POINT] })}
         >

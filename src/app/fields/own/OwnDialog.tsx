@@ -3,7 +3,7 @@ import { OWN_DECIMALS } from "../../../program/edits/own-cycle.ts";
 import { valueAsTyped } from "../../../program/values/typed-value.ts";
 import { DialogDone } from "../dialog/DialogDone.tsx";
 import { PromptDialog } from "../dialog/PromptDialog.tsx";
-import type { Prompt, PromptSession } from "../dialog/session.ts";
+import { promptOf, type Prompt, type PromptSession } from "../dialog/session.ts";
 import type { FindingEntry } from "../../findings/entry.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { CycleInWork } from "../../calculation/issue-text.ts";
@@ -29,6 +29,7 @@ function useOwnSession({ block, problems, set }: Props): PromptSession {
   const opened = usePlace();
   const { parameters, draft, readings } = block;
 
+  const number = (n: number) => formatNumber(language, n, OWN_DECIMALS);
   const unitOf = ({ kind }: OwnPrompt): string => {
     if (kind === "length") return t.units.axial;
     if (kind === "angle") return t.units.degrees;
@@ -41,32 +42,22 @@ function useOwnSession({ block, problems, set }: Props): PromptSession {
     if (value === null) return { text: draft[p.q] ?? "", unit: unitOf(p), soft: false };
     const isParameter = typeof written === "object" && written !== null;
     const signed = p.kind === "length" || p.kind === "angle";
-    const number = signed ? formatSigned(language, value) : formatNumber(language, value, OWN_DECIMALS);
-    const text = isParameter ? valueAsTyped(written) : number;
+    const text = isParameter ? valueAsTyped(written) : signed ? formatSigned(language, value) : number(value);
     return { text, unit: unitOf(p), soft: false };
   };
-  const promptOf = (p: OwnPrompt): Prompt => ({
-    id: p.q,
-    letter: p.q,
-    question: p.prompt,
-    label: p.prompt,
-    about: words.unprovedLong,
-    page: ["guide", String(block.own.number), p.q],
-    name: t.value(p.q, p.prompt),
-    unit: unitOf(p),
-    range: p.bounded ? t.range(formatNumber(language, p.range[0], OWN_DECIMALS), formatNumber(language, p.range[1], OWN_DECIMALS)) : null,
-    notes: [...(p.bounded || p.choices ? [] : [words.anyNumber]), ...(p.described ? [] : [words.notDescribed])],
-    doubt: null,
-    choices: p.choices?.map(({ value, meaning }) => ({ value: String(value), meaning })) ?? null,
-    optional: false,
-    idle: false,
-    increments: false,
-    auto: p.kind === "feed",
-    decimals: OWN_DECIMALS,
-    shown: shownOf(p),
-  });
+  const asked = (p: OwnPrompt): Prompt =>
+    promptOf({ id: p.q, decimals: OWN_DECIMALS }, { prompt: p.prompt, about: words.unprovedLong }, {
+      page: ["guide", String(block.own.number), p.q],
+      name: t.value(p.q, p.prompt),
+      unit: unitOf(p),
+      range: p.bounded ? t.range(number(p.range[0]), number(p.range[1])) : null,
+      notes: [...(p.bounded || p.choices ? [] : [words.anyNumber]), ...(p.described ? [] : [words.notDescribed])],
+      choices: p.choices?.map(({ value, meaning }) => ({ value: String(value), meaning })) ?? null,
+      auto: p.kind === "feed",
+      shown: shownOf(p),
+    });
   return {
-    fields: parameters.map(promptOf),
+    fields: parameters.map(asked),
     draft,
     readings,
     findings: problems,

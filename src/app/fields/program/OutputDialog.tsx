@@ -3,7 +3,8 @@ import type { OutputTexts } from "../../../i18n/en/output.ts";
 import { loadOutput } from "../../../i18n/load-output.ts";
 import { isFunctionNumber, NC_OUTPUT_NAMES, NC_OUTPUTS, nameOfOutput, type NcOutput } from "../../../program/machine/nc-output.ts";
 import { HandingDialog } from "../../base/HandingDialog.tsx";
-import { Icon } from "../../base/Icon.tsx";
+import { Message } from "../../base/Message.tsx";
+import { NumberInput } from "../number/NumberInput.tsx";
 import { laterTexts } from "../../base/settings/later-texts.ts";
 import { changeSettings, useSettings } from "../../base/settings/settings.ts";
 import { useEditor } from "../../document/store.ts";
@@ -100,20 +101,15 @@ function FunctionNumber({ name, value, wrong, hint, set }: FunctionProps) {
       <span>{name}</span>
       <span className="nc-output-function">
         M
-        <input className="input number" type="text" inputMode="numeric" maxLength={4} autoComplete="off" value={text} aria-label={name}
-          aria-invalid={isWrong} aria-describedby={id} onChange={(event) => {
-          const next = event.target.value;
+        <NumberInput kind="typed" inputMode="numeric" maxLength={4} text={text} aria-label={name} aria-invalid={isWrong}
+          aria-describedby={id} onText={(next) => {
           type(next);
           const number = next.trim() === "" ? null : Number(next);
           if (number === null ? hint !== undefined : /^\d+$/.test(next.trim()) && isFunctionNumber(number)) set(number);
-        }} onBlur={() => !isWrong && type(null)} />
+        }} onLeave={() => !isWrong && type(null)} />
       </span>
       {isWrong
-        ? (
-          <span id={id} className="field-message warning">
-            <Icon name="warning" /> {wrong}
-          </span>
-        )
+        ? <Message as="span" id={id} tone="warning">{wrong}</Message>
         : hint !== undefined && <span id={id} className="small soft">{hint}</span>}
     </label>
   );

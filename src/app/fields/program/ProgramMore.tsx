@@ -1,8 +1,7 @@
 import { Suspense, useState, type ReactNode } from "react";
 import { handOver, useEditor } from "../../document/store.ts";
 import type { ShownVerdict } from "../../findings/verdict.ts";
-import { CompareButton } from "../compare/CompareButton.tsx";
-import { type ShowBlock, showSheet } from "../../place/place.ts";
+import { showComparison, type ShowBlock, showSheet } from "../../place/place.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { mayLeave } from "../leaving/leaving.ts";
 import { lazyPart } from "../../base/parts.ts";
@@ -120,7 +119,9 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
           <ClampingDialog done={() => setClamps(false)} />
         </Suspense>
       )}
-      <CompareButton showBlock={showBlock} />
+      <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => showComparison(showBlock)}>
+        <Icon name="compare" /> {t.compare}
+      </button>
       <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => setOutput(true)}>{t.output}</button>
       {sets && (
         <Suspense>

@@ -1,8 +1,11 @@
 import { LANGUAGE_NAMES, LANGUAGES, isLanguage, ncLanguage } from "../../../i18n/languages.ts";
 import { JOB_LAYOUTS } from "../../../program/machine/nc-output.ts";
+import { useOutcome } from "../../calculation/outcome.ts";
+import { playback } from "../../calculation/playback.ts";
 import { setLayout, setName, setNcLanguage } from "../../document/edits.ts";
 import { openText } from "../open/open-program.ts";
 import { Icon } from "../../base/Icon.tsx";
+import { Message } from "../../base/Message.tsx";
 import { Late } from "../../base/Late.tsx";
 import { CopyStatus } from "../leaving/CopyStatus.tsx";
 import { mayLeave } from "../leaving/leaving.ts";
@@ -13,12 +16,22 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import { closeStep } from "../../document/steps.ts";
 import { chooseJobLine, useChosenLine } from "./choose-line.ts";
 import { CopyButton } from "./CopyButton.tsx";
+import { useReadPlayback } from "../../pictures/lathe/use-playback.ts";
 import { downloadText } from "../../base/download.ts";
 import { FileNote } from "./FileNote.tsx";
 import { useFileKind, useShownText } from "../../document/output.ts";
 import { ProgramMore } from "./ProgramMore.tsx";
 import { ProgramText } from "./ProgramText.tsx";
-import { useRunningBlock } from "./running-block.ts";
+
+/** Number of the block whose move stands at the playback's position; null before and after the run. */
+function useRunningBlock(): number | null {
+  const shown = useOutcome((s) => s.pictured);
+  return useReadPlayback(playback, (store) => {
+    const { position } = store.get();
+    if (position.step === 0 && position.fraction === 0) return null;
+    return shown?.run.steps[position.step]?.block ?? null;
+  });
+}
 
 /** The program as the control writes it: to read, to copy, to take along. */
 export function ProgramPanel({ read, foldable }: { readonly read: JobReading; readonly foldable: boolean }) {
@@ -70,11 +83,7 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
         </label>
         {job.ncLanguage !== ncLanguage(job.ncLanguage) && <p className="small soft program-note">{t.noChinese}</p>}
       </div>
-      {!read.reading.values && (
-        <p className="field-message warning">
-          <Icon name="warning" /> {t.incomplete}
-        </p>
-      )}
+      {!read.reading.values && <Message tone="warning">{t.incomplete}</Message>}
       <Late>
         <ProgramText text={text} running={running} chosen={chosen} choose={(line) => void chooseJobLine(read, line)} />
       </Late>

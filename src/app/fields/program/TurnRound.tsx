@@ -9,12 +9,12 @@ import { anyNumber, readText } from "../../../program/values/field.ts";
 import { secondSide } from "../../../program/edits/second-side.ts";
 import { verdictOf } from "../../../report/verdict.ts";
 import { leftPieces } from "../../../sim/clamped.ts";
-import { inScreenWriting } from "../dialog/write-value.ts";
+import { NumberInput } from "../number/NumberInput.tsx";
 import { useOutcome, type Outcome, type OutcomeState } from "../../calculation/outcome.ts";
 import { fileNameOf } from "../../base/file-name.ts";
 import { openProgram } from "../open/open-program.ts";
 import { HandingDialog } from "../../base/HandingDialog.tsx";
-import { Icon } from "../../base/Icon.tsx";
+import { Message } from "../../base/Message.tsx";
 import { useLengths } from "../../calculation/lengths.ts";
 import { programName } from "../../document/printed.ts";
 import { laterTexts } from "../../base/settings/later-texts.ts";
@@ -92,7 +92,7 @@ function openTurned(text: string): void {
 }
 
 function Choice({ words: t, outcome: { run, simulation, text }, held, off }: ChoiceProps) {
-  const group = useId(), hint = useId(), lengths = useLengths(run), { language, unit, per } = lengths;
+  const group = useId(), hint = useId(), lengths = useLengths(run), { unit, per } = lengths;
   const pieces = useMemo(() => [held, ...off], [held, off]);
   // What came off goes on; what is left in the chuck then is the rest of the bar.
   const [chosen, choose] = useState(off.length > 0 ? 1 : 0), [typed, type] = useState("0");
@@ -120,15 +120,10 @@ function Choice({ words: t, outcome: { run, simulation, text }, held, off }: Cho
       )}
       <label className="turn-round-allowance">
         <span>{t.allowance(unit)}</span>
-        <input className="input number" type="text" data-number="words" inputMode="decimal" autoComplete="off"
-          value={inScreenWriting(language, typed)} aria-label={t.allowance(unit)} aria-invalid={issue !== null} aria-describedby={hint}
-          onChange={(event) => type(event.currentTarget.value)} />
+        <NumberInput text={typed} onText={type} signed={false} aria-label={t.allowance(unit)} aria-invalid={issue !== null}
+          aria-describedby={hint} />
         {issue
-          ? (
-            <span id={hint} className="field-message warning">
-              <Icon name="warning" /> {t.allowanceWrong(`${lengths.number(MOST_ALLOWANCE)} ${unit}`)}
-            </span>
-          )
+          ? <Message as="span" id={hint} tone="warning">{t.allowanceWrong(`${lengths.number(MOST_ALLOWANCE)} ${unit}`)}</Message>
           : <span id={hint} className="small soft">{t.allowanceHint}</span>}
       </label>
       <dl className="handing-facts">
@@ -141,17 +136,11 @@ function Choice({ words: t, outcome: { run, simulation, text }, held, off }: Cho
           <dd>{size(pieces[chosen] ?? held)}</dd>
         </div>
       </dl>
-      {run.plane.length > 0 && <Warning text={t.milling} />}
-      {simulation.proof.unproved.length > 0 && <Warning text={t.unproved} />}
+      {run.plane.length > 0 && <Message tone="warning">{t.milling}</Message>}
+      {simulation.proof.unproved.length > 0 && <Message tone="warning">{t.unproved}</Message>}
       <div className="handing-ways">
         <button type="button" className="button primary" disabled={value === null} onClick={() => openTurned(made)}>{t.open}</button>
       </div>
     </>
   );
 }
-
-const Warning = ({ text }: { readonly text: string }) => (
-  <p className="field-message warning">
-    <Icon name="warning" /> {text}
-  </p>
-);

@@ -1,9 +1,9 @@
-import { useEffect, useId, useRef } from "react";
-import { readText, sumOf, type Field } from "../../../program/values/field.ts";
-import { FieldMessage } from "../dialog/FieldMessage.tsx";
+import { useEffect, useRef } from "react";
+import { readText, type Field } from "../../../program/values/field.ts";
 import { inScreenWriting } from "../dialog/write-value.ts";
-import { useNumberEntry } from "../dialog/use-number-entry.ts";
-import { Icon } from "../../base/Icon.tsx";
+import { FieldMessage } from "../number/FieldMessage.tsx";
+import { LabelledInput } from "../number/LabelledInput.tsx";
+import { Message } from "../../base/Message.tsx";
 import { usePlace } from "../../place/place.ts";
 import { useFindings } from "../../findings/use-findings.ts";
 import { useSettings } from "../../base/settings/settings.ts";
@@ -36,18 +36,15 @@ function wrongNumber(field: Field, text: string): "missing" | "notANumber" | "ne
 /** One number of the set-up: typed text goes to the work at each keystroke, sums are worked out when the field is left. */
 export function NumberField({ name, unit, text: said, onText, field, ask, proposal }: Props) {
   const t = useTexts();
-  const id = useId();
   const input = useRef<HTMLInputElement>(null);
   const language = useSettings((s) => s.language);
   const [text, type] = useTyping(field.id, said, onText);
-  const { onKeyDown, onTyped } = useNumberEntry(input, text, type);
   const asked = usePlace((p) => (p.field === field.id ? p.focus : 0));
   const problems = useFindings().filter((p) => p.at === field.id);
   const found = wrongNumber(field, text);
   const asking = found === "missing" && ask !== undefined;
-  const open = found === "missing" && proposal !== undefined;
-  const isProposed = proposal !== undefined && text.trim() === "";
-  const wrong = asking || open ? null : found;
+  const wrong = asking || (found === "missing" && proposal !== undefined) ? null : found;
+  const proposed = proposal !== undefined && text.trim() === "" ? inScreenWriting(language, proposal) : undefined;
 
   useEffect(() => {
     if (asked === 0) return;
@@ -55,53 +52,27 @@ export function NumberField({ name, unit, text: said, onText, field, ask, propos
     input.current?.select();
   }, [asked]);
 
-  const commit = () => {
-    const sum = sumOf(text);
-    if (sum !== null) onText(sum);
-    closeStep();
-  };
-
   return (
-    <div className="setup-field">
-      <label htmlFor={id}>{name}</label>
-      <span className="setup-value">
-        <input id={id} ref={input} className="input number" type="text" data-number="words" inputMode="decimal" autoComplete="off"
-          spellCheck={false} maxLength={200} aria-invalid={wrong !== null || problems.some((p) => p.issue.severity === "error")}
-          aria-describedby={`${id}-unit ${id}-proposed ${id}-wrong`}
-          {...(isProposed && { placeholder: inScreenWriting(language, proposal) })} value={inScreenWriting(language, text)} onBlur={commit}
-          onKeyDown={onKeyDown} onChange={(e) => {
-          onTyped();
-          type(e.currentTarget.value);
-        }} />
-        <span className="soft small" id={`${id}-unit`}>{unit}</span>
-      </span>
-      {isProposed && (
-        <p className="setup-proposed small soft" id={`${id}-proposed`}>
-          <span>{t.setup.proposed}: {inScreenWriting(language, proposal)}</span>
-          <button type="button" className="button small" aria-label={t.setup.keepLong(name, inScreenWriting(language, proposal))}
-            onClick={() => {
-              closeStep();
-              onText(proposal);
-              closeStep();
-            }}
-          >
+    <LabelledInput ref={input} className="setup-field" label={name} unit={unit} text={text} onText={type} onLeave={closeStep}
+      placeholder={proposed} aria-invalid={wrong !== null || problems.some((p) => p.issue.severity === "error")}
+      hint={proposal !== undefined && proposed !== undefined && (
+        <>
+          <span>{t.setup.proposed}: {proposed}</span>
+          <button type="button" className="button small" aria-label={t.setup.keepLong(name, proposed)} onClick={() => {
+            closeStep();
+            onText(proposal);
+            closeStep();
+          }}>
             {t.setup.keep}
           </button>
-        </p>
+        </>
       )}
-      <div id={`${id}-wrong`} className="setup-wrong" role="status">
-        {wrong && (
-          <p className="field-message error">
-            <Icon name="error" /> {t.setup.wrong[wrong]}
-          </p>
-        )}
-        {asking && (
-          <p className="field-message info">
-            <Icon name="info" /> {ask}
-          </p>
-        )}
-        {!wrong && problems.map((p, i) => <FieldMessage key={i} problem={p} decimals={3} onTake={(n) => onText(String(n))} />)}
-      </div>
-    </div>
+      messages={
+        <>
+          {wrong && <Message tone="error">{t.setup.wrong[wrong]}</Message>}
+          {asking && <Message tone="info">{ask}</Message>}
+          {!wrong && problems.map((p, i) => <FieldMessage key={i} problem={p} decimals={3} onTake={(n) => onText(String(n))} />)}
+        </>
+      } />
   );
 }

@@ -2,17 +2,17 @@ import { Suspense } from "react";
 import { Radio, RadioGroup } from "react-aria-components/RadioGroup";
 import type { CycleNumber } from "../../../cycles/index.ts";
 import type { SetupPlace } from "../../../program/job/setup.ts";
-import { SETUP_FIELDS as FIELDS } from "../../../program/job/setup-fields.ts";
+import { usedParameters } from "../../../program/job/job-parameters.ts";
+import { parameterField, SETUP_FIELDS as FIELDS } from "../../../program/job/setup-fields.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { useFits } from "../../calculation/fits.ts";
-import { setBlank, setPerRevolution, setRapid, setSpindle, setStart } from "../../document/edits.ts";
+import { setBlank, setParameter, setPerRevolution, setRapid, setSpindle, setStart } from "../../document/edits.ts";
 import { MoreLater } from "../said/MoreLater.tsx";
 import { lazyPart } from "../../base/parts.ts";
 import { setupStartSlot } from "../slots.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { NumberField } from "./NumberField.tsx";
-import { ParameterFields } from "./ParameterFields.tsx";
 import { ToolSummary } from "./ToolSummary.tsx";
 import { ToolTable } from "./ToolTable.tsx";
 
@@ -31,6 +31,23 @@ function Legend({ name, page }: { readonly name: string; readonly page: string }
         <MoreLater page={["guide", "setup", page]} name={name} />
       </Suspense>
     </>
+  );
+}
+
+/** The Q parameters that stand in the prompts, each with its value; nothing while none does. */
+function ParameterFields({ read: { job } }: { readonly read: JobReading }) {
+  const t = useTexts().setup.parameters;
+  const used = usedParameters(job);
+  if (used.length === 0) return null;
+  return (
+    <fieldset className="setup-group">
+      <legend>{t.title}</legend>
+      <p className="small soft">{t.hint}</p>
+      {used.map((name) => (
+        <NumberField key={name} field={parameterField(name)} name={name} unit="" text={job.parameters[name] ?? ""} ask={t.ask(name)}
+          onText={(value) => setParameter(name, value)} />
+      ))}
+    </fieldset>
   );
 }
 

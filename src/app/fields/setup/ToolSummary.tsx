@@ -1,7 +1,8 @@
 import type { ToolFit } from "../../../program/tools/which-tool.ts";
 import { setTool } from "../../document/edits.ts";
-import { FieldMessage } from "../dialog/FieldMessage.tsx";
+import { FieldMessage } from "../number/FieldMessage.tsx";
 import { Icon } from "../../base/Icon.tsx";
+import { Message } from "../../base/Message.tsx";
 import { InsertDrawing } from "../../pictures/lathe/InsertDrawing.tsx";
 import { goToField } from "../../place/place.ts";
 import { isAboutTool } from "../../findings/entry.ts";
@@ -33,7 +34,7 @@ export function ToolSummary({ read, fits }: { readonly read: JobReading; readonl
         </div>
       )}
       {read.setup?.proposed.has("tool") && (
-        <p className="setup-proposed small soft">
+        <p className="field-hint small soft">
           <span>{setup.proposed}</span>
           <button type="button" className="button small" aria-label={setup.keepLong(t.title, String(read.job.tool))} onClick={() =>
             setTool(read.job.tool)}
@@ -45,11 +46,10 @@ export function ToolSummary({ read, fits }: { readonly read: JobReading; readonl
       <div role="status">
         {problems.map((problem, i) => <FieldMessage key={i} problem={problem} decimals={3} />)}
         {own && !own.makesContour && (
-          <div className="field-message warning">
-            <Icon name="warning" />
+          <Message as="div" tone="warning">
             <p>{best ? t.better(best.tool.T, best.tool.NAME) : t.noneMakes}</p>
             {best && <button type="button" className="button" onClick={() => setTool(best.tool.T)}>{t.take(best.tool.T)}</button>}
-          </div>
+          </Message>
         )}
       </div>
       <div className="tool-choices">

@@ -1,5 +1,6 @@
 import { undoStep } from "../../document/history.ts";
 import { Icon } from "../../base/Icon.tsx";
+import { Message } from "../../base/Message.tsx";
 
 /** What came of a file, or of a change: sentences, and whether the table was changed. */
 export interface TableSaid {
@@ -19,8 +20,8 @@ export function TableStatus({ said, undo, done }: {
   return (
     <div className="tool-status" role="status">
       {said && (
-        <p className={`field-message ${said.failed ? "error" : "info"}`}>
-          <Icon name={said.failed ? "error" : "info"} /> <span>{said.sentences.join(" ")}</span>
+        <Message tone={said.failed ? "error" : "info"}>
+          <span>{said.sentences.join(" ")}</span>
           {said.changed && (
             <button type="button" className="button" aria-label={`${undo} – ${said.sentences.join(" ")}`} onClick={() => {
               undoStep();
@@ -29,7 +30,7 @@ export function TableStatus({ said, undo, done }: {
               <Icon name="undo" /> {undo}
             </button>
           )}
-        </p>
+        </Message>
       )}
     </div>
   );

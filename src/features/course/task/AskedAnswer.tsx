@@ -2,6 +2,7 @@ import { useId } from "react";
 import type { Prediction } from "../../../course/task.ts";
 import { answerKindOf } from "../../../course/told.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
+import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
 
 interface AskedProps {
   readonly prediction: Prediction;
@@ -22,8 +23,8 @@ export function AskedAnswer({ prediction, put, text, choices, t, labelled }: Ask
   const field = (label: string, sign: string, value: string, take: (next: string) => void, unit = "") => (
     <label className="task-field">
       {sign !== "" && <span className="number" aria-hidden="true">{sign}</span>}
-      <input className="input number" type="text" inputMode="decimal" autoComplete="off" value={value} aria-label={label}
-        aria-describedby={labelled} maxLength={12} onChange={(event) => take(event.currentTarget.value)} />
+      <NumberInput kind="typed" inputMode="decimal" maxLength={12} text={value} onText={take} aria-label={label}
+        aria-describedby={labelled} />
       {unit !== "" && <span className="soft small">{unit}</span>}
     </label>
   );

@@ -4,6 +4,7 @@ import type { HandedResult } from "../../../course/made/result.ts";
 import { downloadText } from "../../../app/base/download.ts";
 import { HandingDialog } from "../../../app/base/HandingDialog.tsx";
 import { Icon } from "../../../app/base/Icon.tsx";
+import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { inScreenLanguage, useCourseIndex } from "../../../app/records/course/content.ts";
 import { useLearning } from "../../../app/records/course/progress.ts";
@@ -50,42 +51,36 @@ export function HandInDialog({ done }: { readonly done: () => void }) {
     <HandingDialog title={t.hand.title} done={done}>
       <p>{t.hand.lead}</p>
       <p>{t.hand.noProof}</p>
-      {begun.length === 0
-        ? (
-          <p className="field-message info">
-            <Icon name="info" /> {t.hand.none}
-          </p>
-        )
-        : (
-          <>
-            <TeachText label={t.hand.name} value={name} change={call} />
-            <div role="group" aria-label={t.hand.choose} className="teach-list">
-              {begun.map(({ id, title }) => (
-                <label key={id} className="teach-check">
-                  <input type="checkbox" checked={!left.includes(id)} onChange={() =>
-                    leave((now) => (now.includes(id)
-                      ? now.filter((each) => each !== id)
-                      : [...now, id])
-                    )} />
-                  {title}
-                </label>
-              ))}
-            </div>
-            {!result && <p role="status" className="soft">{t.hand.making}</p>}
-            {result && ids.length > 0 && (
-              <>
-                <div className="handing-ways">
-                  <button type="button" className="button primary" onClick={() =>
-                    downloadText(taughtFile(result), `${inFile(name)}.turnwise-result.json`)}
-                  >
-                    <Icon name="download" /> {t.hand.save}
-                  </button>
-                </div>
-                <LinkBox link={resultLink(pageAddress(), result)} />
-              </>
-            )}
-          </>
-        )}
+      {begun.length === 0 ? <Message tone="info">{t.hand.none}</Message> : (
+        <>
+          <TeachText label={t.hand.name} value={name} change={call} />
+          <div role="group" aria-label={t.hand.choose} className="teach-list">
+            {begun.map(({ id, title }) => (
+              <label key={id} className="teach-check">
+                <input type="checkbox" checked={!left.includes(id)} onChange={() =>
+                  leave((now) => (now.includes(id)
+                    ? now.filter((each) => each !== id)
+                    : [...now, id])
+                  )} />
+                {title}
+              </label>
+            ))}
+          </div>
+          {!result && <p role="status" className="soft">{t.hand.making}</p>}
+          {result && ids.length > 0 && (
+            <>
+              <div className="handing-ways">
+                <button type="button" className="button primary" onClick={() =>
+                  downloadText(taughtFile(result), `${inFile(name)}.turnwise-result.json`)}
+                >
+                  <Icon name="download" /> {t.hand.save}
+                </button>
+              </div>
+              <LinkBox link={resultLink(pageAddress(), result)} />
+            </>
+          )}
+        </>
+      )}
     </HandingDialog>
   );
 }

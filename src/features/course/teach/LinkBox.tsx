@@ -2,6 +2,7 @@ import { formatNumber } from "../../../i18n/number.ts";
 import { LONGEST_LINK, SAFE_LINK } from "../../../app/base/limits.ts";
 import { isHereOnly } from "../../../app/records/reach.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
+import { Message } from "../../../app/base/Message.tsx";
 import { copyText, useCopying } from "../../../app/findings/copy.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
@@ -17,11 +18,7 @@ export function LinkBox({ link, copies }: { readonly link: string; readonly copi
   const copied = useCopying((c) => c.state === "copied" && c.text === link);
   const isHere = isHereOnly(pageAddress()), isLong = link.length > SAFE_LINK;
   if (link.length > LONGEST_LINK)
-    return (
-      <p className="field-message warning">
-        <Icon name="warning" /> {t.linkLong}
-      </p>
-    );
+    return <Message tone="warning">{t.linkLong}</Message>;
   return (
     <section className="handing-link" aria-label={t.link}>
       <label>
@@ -30,11 +27,7 @@ export function LinkBox({ link, copies }: { readonly link: string; readonly copi
         </span>
         <textarea className="number" readOnly rows={2} value={link} onFocus={(event) => event.currentTarget.select()} />
       </label>
-      {(isHere || isLong) && (
-        <p className="field-message warning">
-          <Icon name="warning" /> {isHere ? t.hereOnly : t.linkLong}
-        </p>
-      )}
+      {(isHere || isLong) && <Message tone="warning">{isHere ? t.hereOnly : t.linkLong}</Message>}
       <div className="handing-ways">
         <button type="button" className="button primary" onClick={() => {
           copies?.();

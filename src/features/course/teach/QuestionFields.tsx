@@ -5,6 +5,7 @@ import { ASKED_KINDS, type AskedKind, type QuestionDraft } from "../../../course
 import { withSign } from "../../../course/made/made-form.ts";
 import { decimalSign, formatNumber } from "../../../i18n/number.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
+import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { placeWords } from "../task/mark-words.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
@@ -139,11 +140,7 @@ function TruthTold({ truth, begun }: { readonly truth: Truth; readonly begun: An
   const t = useTeachTexts();
   const language = useSettings((s) => s.language);
   if (!isThere(truth, begun)) {
-    return (
-      <p className="field-message warning">
-        <Icon name="warning" /> {t.noTruth}
-      </p>
-    );
+    return <Message tone="warning">{t.noTruth}</Message>;
   }
   if (truth.kind === "number") return <p className="small">{t.truth(formatNumber(language, truth.value ?? 0, DECIMALS))}</p>;
   if (truth.kind === "place" && truth.place) return <p className="small">{t.truth(t.place(...placeWords(language, truth.place)))}</p>;

@@ -1,5 +1,6 @@
 import { useState } from "react";
 import { Icon } from "../../../app/base/Icon.tsx";
+import { Message } from "../../../app/base/Message.tsx";
 import { undo, useSteps } from "../../../app/document/steps.ts";
 import { dropGathered } from "../../../app/records/course/gathered.ts";
 import { useProblemWords } from "./problem-words.ts";
@@ -16,11 +17,8 @@ export function LeftOut({ leftOut }: { readonly leftOut: readonly FileLeftOut[] 
       {leftOut.map(({ file, why }, i) => {
         const isProblem = why.kind !== "twice";
         const reason = why.kind === "twice" || why.kind === "task" ? words.left[why.kind] : problemOf(why).join(" ");
-        return (
-          <li key={i} className={`field-message ${isProblem ? "warning" : "info"}`}>
-            <Icon name={isProblem ? "warning" : "info"} /> <span>{words.leftOut(file === "" ? words.aLink : file, reason)}</span>
-          </li>
-        );
+        const said = words.leftOut(file === "" ? words.aLink : file, reason);
+        return <Message as="li" key={i} tone={isProblem ? "warning" : "info"}>{said}</Message>;
       })}
     </ul>
   );
@@ -73,12 +71,12 @@ export function ResultFiles({ files, rows, day }: FilesProps) {
       )}
       <div role="status">
         {gone && gone.step === last && (
-          <p className="field-message info taught-gone">
+          <Message tone="info" className="taught-gone">
             <span>{gone.file === "" ? words.allGone : words.gone(gone.file)}</span>
             <button type="button" className="button" onClick={undo}>
               <Icon name="undo" /> {t.own.undo}
             </button>
-          </p>
+          </Message>
         )}
       </div>
     </div>

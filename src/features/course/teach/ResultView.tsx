@@ -2,6 +2,7 @@ import { useMemo, useRef, useState } from "react";
 import { decimalSign } from "../../../i18n/number.ts";
 import { downloadText } from "../../../app/base/download.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
+import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useModal } from "../../../app/base/use-modal.ts";
 import { useGathered } from "../../../app/records/course/gathered.ts";
@@ -60,18 +61,10 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
         </button>
       </div>
       <p>{isOne && only ? words.lead(day(only.result.made)) : words.several}</p>
-      {!isKept && (
-        <p className="field-message warning">
-          <Icon name="warning" /> {words.notKept}
-        </p>
-      )}
+      {!isKept && <Message tone="warning">{words.notKept}</Message>}
       <LeftOut leftOut={leftOut} />
       {all.length === 0
-        ? (
-          <p className="field-message info">
-            <Icon name="info" /> {files.length === 0 ? words.nothing : words.empty}
-          </p>
-        )
+        ? <Message tone="info">{files.length === 0 ? words.nothing : words.empty}</Message>
         : (
           <ResultTable title={title} rows={rows} columns={columns} heads={heads} text={text} waits={(key) => !again.has(key)} sort={sort}
             sortBy={sortBy} />

@@ -1,4 +1,5 @@
 import { LIST_RULES, NUMBER_RULES, type ListRule, type NumberRule, type RuleDraft } from "../../../course/made/made-form.ts";
+import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
 import { useTeachTexts } from "./use-teach-texts.ts";
 import type { FormPart } from "./WordFields.tsx";
 
@@ -20,8 +21,8 @@ export function RuleFields({ made, change }: FormPart) {
                 <input type="checkbox" checked={on} onChange={() => put(rule, { on: !on })} />
                 {t.rule[rule]}
               </label>
-              <input className="input number" aria-label={t.rule[rule]} disabled={!on} value={text}
-                inputMode={rule === "cycles" ? "text" : "decimal"} onChange={(event) => put(rule, { text: event.currentTarget.value })} />
+              <NumberInput kind="typed" inputMode={rule === "cycles" ? "text" : "decimal"} aria-label={t.rule[rule]} disabled={!on}
+                text={text} onText={(next) => put(rule, { text: next })} />
             </li>
           );
         })}

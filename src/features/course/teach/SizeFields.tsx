@@ -1,6 +1,7 @@
 import { formatNumber } from "../../../i18n/number.ts";
 import type { SizeDraft } from "../../../course/made/made-form.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
+import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
 import { useTeachTexts } from "./use-teach-texts.ts";
 import type { FormPart } from "./WordFields.tsx";
 
@@ -26,10 +27,8 @@ export function SizeFields({ made, change }: FormPart) {
               </label>
               {on && (
                 <span className="teach-pair">
-                  <input className="input number" aria-label={t.upper(name)} value={upper} inputMode="text" onChange={(event) =>
-                    put(i, { upper: event.currentTarget.value })} />
-                  <input className="input number" aria-label={t.lower(name)} value={lower} inputMode="text" onChange={(event) =>
-                    put(i, { lower: event.currentTarget.value })} />
+                  <NumberInput kind="typed" aria-label={t.upper(name)} text={upper} onText={(text) => put(i, { upper: text })} />
+                  <NumberInput kind="typed" aria-label={t.lower(name)} text={lower} onText={(text) => put(i, { lower: text })} />
                 </span>
               )}
             </li>

@@ -4,7 +4,7 @@ import { blankOfLines } from "../../../course/wanted-part.ts";
 import { boxAround } from "../../../kernel/area/box.ts";
 import { toDiameter, radius } from "../../../kernel/units.ts";
 import { HandingDialog } from "../../../app/base/HandingDialog.tsx";
-import { Icon } from "../../../app/base/Icon.tsx";
+import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { inScreenLanguage } from "../../../app/records/course/content.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
@@ -58,12 +58,8 @@ function IncomingTask({ task, left }: { readonly task: Task; readonly left: read
   return (
     <HandingDialog title={t.incoming.title(words?.title ?? task.id)} done={leaveTaught}>
       <p>{t.incoming.lead}</p>
-      {isHere && <p className="field-message info">{t.incoming.isHere}</p>}
-      {left.length > 0 && (
-        <p className="field-message warning">
-          <Icon name="warning" /> <span>{t.problem.leftOut(left.slice(0, MOST_LEFT).join(", "))}</span>
-        </p>
-      )}
+      {isHere && <Message tone="info">{t.incoming.isHere}</Message>}
+      {left.length > 0 && <Message tone="warning">{t.problem.leftOut(left.slice(0, MOST_LEFT).join(", "))}</Message>}
       {words && <p className="taught-ask">{words.ask}</p>}
       <dl className="handing-facts">
         {facts.map(([fact, value]) => (

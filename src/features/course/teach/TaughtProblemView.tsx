@@ -1,5 +1,5 @@
 import { HandingDialog } from "../../../app/base/HandingDialog.tsx";
-import { Icon } from "../../../app/base/Icon.tsx";
+import { Message } from "../../../app/base/Message.tsx";
 import { useProblemWords } from "./problem-words.ts";
 import type { TaughtProblem } from "../../../app/records/course/taught-shown.ts";
 import { leaveTaught } from "../../../app/records/course/taught-shown.ts";
@@ -11,9 +11,7 @@ export function TaughtProblemView({ file, problem }: { readonly file: string; re
   const [why = "", ...faults] = useProblemWords()(problem);
   return (
     <HandingDialog title={file === "" ? words.link : words.file(file)} done={leaveTaught}>
-      <p role="alert" className="field-message warning">
-        <Icon name="warning" /> <span>{why}</span>
-      </p>
+      <Message role="alert" tone="warning">{why}</Message>
       {faults.length > 0 && <ul className="taught-faults">{faults.map((each, i) => <li key={i}>{each}</li>)}</ul>}
       <p className="soft">{words.asBefore}</p>
       <div className="handing-ways">

@@ -1,6 +1,7 @@
 import { Suspense, useEffect, useState } from "react";
 import { progressOfTask, stateOfTask } from "../../../course/progress.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
+import { Message } from "../../../app/base/Message.tsx";
 import { lazyPart } from "../../../app/base/parts.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { inScreenLanguage } from "../../../app/records/course/content.ts";
@@ -33,11 +34,7 @@ export function TaughtTasks() {
   return (
     <section className="taught" aria-label={t.own.title}>
       {(list.length > 0 || trouble !== "none") && <h2>{t.own.title}</h2>}
-      {trouble !== "none" && (
-        <p className="field-message warning">
-          <Icon name="warning" /> {t.own[trouble]}
-        </p>
-      )}
+      {trouble !== "none" && <Message tone="warning">{t.own[trouble]}</Message>}
       {list.length > 0 && (
         <ul className="taught-list">
           {list.map((task) => {
@@ -72,12 +69,12 @@ export function TaughtTasks() {
       )}
       <div role="status">
         {gone && gone.step === last && (
-          <p className="field-message info taught-gone">
+          <Message tone="info" className="taught-gone">
             <span>{t.own.removed(gone.title)}</span>
             <button type="button" className="button" onClick={undo}>
               <Icon name="undo" /> {t.own.undo}
             </button>
-          </p>
+          </Message>
         )}
       </div>
       <div className="handing-ways">

@@ -7,6 +7,7 @@ import { partOfMade, proposedTask } from "../../../course/made/made-task.ts";
 import type { Task } from "../../../course/task.ts";
 import { wantedPart } from "../../../course/wanted-part.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
+import { Message } from "../../../app/base/Message.tsx";
 import { useEditor } from "../../../app/document/store.ts";
 import { decimalSign } from "../../../i18n/number.ts";
 import { usualTable } from "../../../program/tools/cutting-table.ts";
@@ -90,11 +91,7 @@ export function TeachDialog({ done, ...source }: TeachSource & { readonly done: 
         </button>
       </div>
       {!begun && <p role="status" className="soft">{t.working}</p>}
-      {begun === "none" && (
-        <p className="field-message warning">
-          <Icon name="warning" /> {t.noPart}
-        </p>
-      )}
+      {begun === "none" && <Message tone="warning">{t.noPart}</Message>}
       {begun && begun !== "none" && <TeachForm {...begun} done={() => dialog.current?.close()} />}
     </dialog>
   );

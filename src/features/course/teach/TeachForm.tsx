@@ -9,6 +9,7 @@ import { asksBefore, begunOfMade, linesOfText, partOfMade, proposedTask, taskOfM
 import type { Task } from "../../../course/task.ts";
 import { wantedPart } from "../../../course/wanted-part.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
+import { Message } from "../../../app/base/Message.tsx";
 import { decimalSign } from "../../../i18n/number.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
@@ -131,10 +132,10 @@ export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => vo
     <div className="teach-form">
       <div className="teach-fields">
         <p className="soft">{!foretells && t.lead} {isKept && t.keptForm}</p>
-        {!isKept && <Warned>{t.formNotKept}</Warned>}
-        {milled !== null && <Warned>{isPart ? t.milled(String(milled)) : t.milledOnly}</Warned>}
+        {!isKept && <Message tone="warning">{t.formNotKept}</Message>}
+        {milled !== null && <Message tone="warning">{isPart ? t.milled(String(milled)) : t.milledOnly}</Message>}
         {(filledFrom !== print || last) && (
-          <div className="field-message info teach-changed">
+          <Message as="div" tone="info" className="teach-changed">
             {filledFrom !== print && <span>{t.changedSince}</span>}
             {filledFrom !== print && (
               <button type="button" className="button" onClick={() => {
@@ -152,7 +153,7 @@ export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => vo
                 <Icon name="undo" /> {t.takeBack}
               </button>
             )}
-          </div>
+          </Message>
         )}
         <WordFields {...form} kinds={isPart ? KINDS : ["predict"]} />
         {foretells && <StartFields {...form} answer={answer} />}
@@ -175,13 +176,5 @@ export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => vo
           isChange={base !== null} done={done} />
       </div>
     </div>
-  );
-}
-
-function Warned({ children }: { readonly children: string }) {
-  return (
-    <p className="field-message warning">
-      <Icon name="warning" /> {children}
-    </p>
   );
 }

@@ -1,6 +1,7 @@
 import { useEffect, useState } from "react";
+import type { Issue } from "../../../kernel/plan/issue.ts";
 import { approach } from "../../../kernel/plane/approach.ts";
-import type { ApproachStatement } from "../../../program/edits/approach-draft.ts";
+import type { ApproachReading, ApproachStatement } from "../../../program/edits/approach-draft.ts";
 import { shapeOf } from "../../../program/motion/approach-fields.ts";
 import { readyApproach, wordsOfPoint, type ApproachContext } from "../../../program/edits/approach-request.ts";
 import { positionAsTyped } from "../../../program/values/typed-value.ts";
@@ -8,12 +9,11 @@ import type { Dragged } from "../../../view/approach/drag.ts";
 import { onPromptKey } from "../../../app/fields/dialog/prompt-keys.ts";
 import { PromptDialog } from "../../../app/fields/dialog/PromptDialog.tsx";
 import { commandsOf, type PromptSession } from "../../../app/fields/dialog/session.ts";
-import { isError, type FindingEntry } from "../../../app/findings/entry.ts";
+import { entryAt, isError, type FindingEntry } from "../../../app/findings/entry.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { ApproachChooser } from "./ApproachChooser.tsx";
 import { ApproachPicture } from "./ApproachPicture.tsx";
-import { approachProblems } from "./block-problems.ts";
 import { withForm } from "./change-form.ts";
 import { useApproachSession, useTypedApproach } from "./use-approach-session.tsx";
 
@@ -33,6 +33,18 @@ interface Props {
   readonly onOpen?: (word: string | null) => void;
   readonly onChange: (next: ApproachStatement, place: string | null) => void;
   readonly onTyped?: (isRead: boolean) => void;
+}
+
+const weight = { error: 0, warning: 1, info: 2 } as const;
+const placed = (issue: Issue): FindingEntry => entryAt(issue, issue.at ?? null, null);
+
+/** Everything about one block, worst first, nothing twice: what its words say, what its geometry says, what the run found. */
+function approachProblems(reading: ApproachReading, made: readonly Issue[], found: readonly FindingEntry[]): readonly FindingEntry[] {
+  const typed = Object.values(reading).flatMap((r) => (r.issue ? [placed(r.issue)] : []));
+  const taken = new Set(typed.map((p) => p.at));
+  const more = [...made.map(placed), ...found].filter((p) => p.at === null || !taken.has(p.at));
+  const all = new Map([...typed, ...more].map((p) => [`${p.issue.code} ${p.at ?? ""}`, p]));
+  return [...all.values()].sort((a, b) => weight[a.issue.severity] - weight[b.issue.severity]);
 }
 
 /** The end of the dialog: what is still wrong. */

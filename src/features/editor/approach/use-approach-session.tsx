@@ -5,7 +5,7 @@ import { approachDraft, approachStatement, readApproach, SIDES, type ApproachDra
   type ApproachStatement } from "../../../program/edits/approach-draft.ts";
 import { approachFields, type ApproachField, type ApproachWord } from "../../../program/motion/approach-fields.ts";
 import type { ApproachContext } from "../../../program/edits/approach-request.ts";
-import type { Prompt, PromptSession } from "../../../app/fields/dialog/session.ts";
+import { promptOf, type Prompt, type PromptSession } from "../../../app/fields/dialog/session.ts";
 import type { FindingEntry } from "../../../app/findings/entry.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
@@ -102,34 +102,23 @@ export function useApproachSession({ statement, context, typed, findings, pictur
     if (f.kind === "side" || f.kind === "functions" || value === null || typeof written !== "number") return { text, unit, soft: false };
     return { text: (incremental ? "I" : "") + (f.range[0] < 0 ? formatSigned(language, value) : text), unit, soft: false };
   };
-  const promptOf = (f: ApproachField): Prompt => {
+  const asked = (f: ApproachField): Prompt => {
     const { words } = t.approach;
-    const { prompt, label, about } = plane === "ZX" && f.id === "Z" ? words.turningZ : words[f.id];
+    const texts = plane === "ZX" && f.id === "Z" ? words.turningZ : words[f.id];
     const letter = f.id === "SIDE" ? "RL/RR" : f.id;
-    const [min, max] = f.range.map((n) => formatNumber(language, n, 4));
-    return {
-      id: f.id,
-      letter,
-      question: prompt,
-      label,
-      about,
+    const [min = "", max = ""] = f.range.map((n) => formatNumber(language, n, 4));
+    return promptOf({ id: f.id, letter, optional: f.optional, increments: f.increments ?? false }, texts, {
       page: ["guide", `${statement.departing ? "dep" : "appr"}-${statement.form.toLowerCase()}`, f.id],
-      name: t.approach.value(letter, prompt),
+      name: t.approach.value(letter, texts.prompt),
       unit: unitText(t, f, context.unit !== 1),
-      range: f.kind === "side" || f.kind === "functions" ? null : t.dialog.range(min ?? "", max ?? ""),
+      range: f.kind === "side" || f.kind === "functions" ? null : t.dialog.range(min, max),
       notes: [...(f.optional ? [t.dialog.optional] : []), ...(f.increments ? [t.approach.incremental] : [])],
-      doubt: null,
       choices: f.kind === "side" ? SIDES.map((value) => ({ value, meaning: t.approach.sides[value] })) : null,
-      optional: f.optional,
-      idle: false,
-      increments: f.increments ?? false,
-      auto: false,
-      decimals: 3,
       shown: shownOf(f),
-    };
+    });
   };
   return {
-    fields: fields.map(promptOf),
+    fields: fields.map(asked),
     draft,
     readings: reading,
     findings,

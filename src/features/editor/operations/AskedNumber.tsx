@@ -1,8 +1,7 @@
-import { useId, useRef } from "react";
-import { readText, sumOf, type Field } from "../../../program/values/field.ts";
-import { useNumberEntry } from "../../../app/fields/dialog/use-number-entry.ts";
-import { inScreenWriting } from "../../../app/fields/dialog/write-value.ts";
-import { useSettings } from "../../../app/base/settings/settings.ts";
+import { useId } from "react";
+import { readText, type Field } from "../../../program/values/field.ts";
+import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
+import { Message } from "../../../app/base/Message.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 interface Props {
@@ -20,28 +19,19 @@ export const isUsable = (field: Field, text: string): boolean => readText(field,
 export function AskedNumber({ name, unit, field, text, onText }: Props) {
   const t = useTexts().setup;
   const id = useId();
-  const input = useRef<HTMLInputElement>(null);
-  const language = useSettings((s) => s.language);
-  const { onKeyDown, onTyped } = useNumberEntry(input, text, onText);
   const wrong = !isUsable(field, text);
-  const commit = () => {
-    const sum = sumOf(text);
-    if (sum !== null) onText(sum);
-  };
   return (
     <label htmlFor={id}>
       <span>{name}</span>
       <span className="asked-value">
-        <input id={id} ref={input} className="input number" type="text" data-number="words" inputMode="decimal" autoComplete="off"
-          spellCheck={false} maxLength={200} aria-invalid={wrong} aria-describedby={`${id}-unit`} value={inScreenWriting(language, text)}
-          onBlur={commit} onKeyDown={onKeyDown} onFocus={(event) => event.currentTarget.select()} onChange={(event) => {
-          onTyped();
-          onText(event.currentTarget.value);
-        }} />
+        <NumberInput id={id} text={text} onText={onText} selects aria-invalid={wrong} aria-describedby={`${id}-unit`} />
         <span className="soft small" id={`${id}-unit`}>{unit}</span>
       </span>
-      {wrong && <span className="field-message error small" role="status">{text.trim() === "" ? t.wrong.missing : t.wrong.notANumber}
-      </span>}
+      {wrong && (
+        <Message as="span" tone="error" className="small" role="status">
+          {text.trim() === "" ? t.wrong.missing : t.wrong.notANumber}
+        </Message>
+      )}
     </label>
   );
 }

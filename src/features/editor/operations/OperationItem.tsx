@@ -4,6 +4,7 @@ import { menuCycle } from "../../../app/fields/chooser/menu.ts";
 import { chooseOpenBlock } from "../../../app/fields/blocks/choose-block.ts";
 import { openBlock } from "../../../app/fields/blocks/session.ts";
 import { Icon, type IconName } from "../../../app/base/Icon.tsx";
+import { Message } from "../../../app/base/Message.tsx";
 import { InsertDrawing } from "../../../app/pictures/lathe/InsertDrawing.tsx";
 import { useLengths } from "../../../app/calculation/lengths.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
@@ -115,7 +116,7 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
             {button("insert", "retool", words.retool, row.tie === "label" || row.tie === "tool")}
             {button("remove", "remove", words.remove, tied)}
           </div>
-          {row.tie && <p className="field-message info small operation-tie">{words.ties[row.tie]}</p>}
+          {row.tie && <Message tone="info" className="small operation-tie">{words.ties[row.tie]}</Message>}
           <ol className="operation-blocks" aria-label={words.blocksOf(title)}>
             {row.blocks.map((block) => (
               <li key={block.index}>

@@ -1,13 +1,13 @@
 import { useContext } from "react";
 import { cycleByNumber } from "../../../cycles/index.ts";
 import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
-import { Icon } from "../../base/Icon.tsx";
+import { Message } from "../../base/Message.tsx";
 import { goToField } from "../../place/place.ts";
 import type { FindingEntry } from "../../findings/entry.ts";
 import { CycleInWork, useIssueText } from "../../calculation/issue-text.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
-import { writeTyped } from "./write-value.ts";
+import { writeTyped } from "../dialog/write-value.ts";
 
 interface Props {
   readonly problem: Pick<FindingEntry, "issue">;
@@ -34,8 +34,7 @@ export function FieldMessage({ problem, decimals, place, calm = false, onTake, p
   const param = cycle === null || !("at" in issue) ? undefined : cycleByNumber(cycle)?.params[issue.at ?? ""];
   const isInch = lengths.unit === "inch", nearest = offered === null ? null : valueInProgram(param, offered, isInch);
   return (
-    <div className={`field-message ${shown}`}>
-      <Icon name={shown} />
+    <Message as="div" tone={shown}>
       <p>
         <span className="unseen">{t.findings.severities[shown]}:{" "}</span>
         {place !== undefined && (
@@ -56,6 +55,6 @@ export function FieldMessage({ problem, decimals, place, calm = false, onTake, p
           {t.dialog.takeNearest(writeTyped(lengths.language, nearest, isInch ? decimals + 1 : decimals))}
         </button>
       )}
-    </div>
+    </Message>
   );
 }
