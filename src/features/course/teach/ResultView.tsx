@@ -19,7 +19,7 @@ import { useTeachTexts } from "./use-teach-texts.ts";
 export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut[] }) {
   const t = useTeachTexts(), { results: words } = t;
   const language = useSettings((s) => s.language);
-  const { list: files, isKept } = useGathered();
+  const { list: files, trouble } = useGathered();
   const dialog = useRef<HTMLDialogElement>(null), file = useRef<HTMLInputElement>(null);
   useModal(dialog);
   const all = useMemo(() => resultRows(files), [files]);
@@ -60,7 +60,7 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
         </button>
       </div>
       <p>{isOne && only ? words.lead(day(only.result.made)) : words.several}</p>
-      {!isKept && (
+      {trouble === "notKept" && (
         <p className="field-message warning">
           <Icon name="warning" /> {words.notKept}
         </p>
