@@ -88,6 +88,25 @@ describe("what one file keeps to itself", () => {
     expect(found.map((s) => s.path)).toEqual([`src/app/${file}.tsx`]);
   });
 
+  test("only app/base/kept.ts and app/base/database.ts ask the browser to keep anything", () => {
+    const page = all.filter((s) => PAGE.includes(layerOf(s.path)) && !/\.test\.tsx?$|\/fake-device\.ts$/.test(s.path));
+    const asks = page.filter((s) => /\b(?:localStorage|sessionStorage|indexedDB)\b/.test(code(s.text)) || /"idb-keyval"/.test(s.text));
+    expect(asks.map((s) => s.path).sort()).toEqual(["src/app/base/database.ts", "src/app/base/kept.ts"]);
+    // Each thing that is kept is declared once, under a key of its own.
+    const keys = page.flatMap(
+      (s) => [...s.text.matchAll(/\b(?:kept(?:Text|Data)(?:<.*>)?|database)\("([\w-]+)"|\brecord\(\{\s*key: "([\w-]+)"/g)]
+    ).map(([, key, ofRecord]) => key ?? ofRecord);
+    expect(new Set(keys).size).toBe(keys.length);
+    expect(keys.length).toBeGreaterThan(18);
+  });
+
+  test("every record goes into archives", () => {
+    const records = all.flatMap((s) => [...s.text.matchAll(/^export const (\w+) = record\(/gm)].map(([, name = ""]) => name));
+    const parts = all.find((s) => s.path === "src/app/records/parts.ts")?.text ?? "";
+    expect(records.length).toBeGreaterThan(5);
+    expect(records.filter((name) => !parts.includes(`ofRecord(${name},`))).toEqual([]);
+  });
+
   test("only kernel/units.ts halves or doubles an X", () => {
     const found = all.filter((s) => s.path !== "src/kernel/units.ts").flatMap((s) =>
       code(s.text).split("\n").filter((line) => converts(line, layerOf(s.path))).map((line) => `${s.path}: ${line.trim()}`)

@@ -36,7 +36,8 @@ const place = z.object({ lesson: id, number: count, page: lessonPage });
 /** Where somebody was last: the lesson, its number in the course, and its page. */
 export type CourseMark = z.output<typeof place>;
 
-const progressShape = z.object({
+/** A progress as it is kept. */
+export const progressShape = z.object({
   version: z.literal(1),
   tasks: z.record(id, taskProgress),
   /** Lessons that were read to their end. */
@@ -143,13 +144,3 @@ export function mergedProgress(mine: CourseProgress, brought: CourseProgress): C
 /** Whether nothing was begun yet. */
 export const isEmptyProgress = ({ tasks, read, last }: CourseProgress): boolean =>
   last === null && read.length === 0 && Object.keys(tasks).length === 0;
-
-/** A kept progress; null where it is damaged. Never throws. */
-export function readProgress(text: string): CourseProgress | null {
-  try {
-    const read = progressShape.safeParse(JSON.parse(text));
-    return read.success ? read.data : null;
-  } catch {
-    return null;
-  }
-}

@@ -1,8 +1,10 @@
+import { keptText } from "./kept.ts";
+
 /**
  * The one place that draws by lot. With `?seed=7` in the address a fresh browser draws the same in every run, so that names,
  * addresses and files repeat. How often was drawn is kept on the device: a reload or a second tab goes on and meets no name again.
  */
-const DRAWN = "turnwise/drawn";
+const DRAWN = keptText("drawn");
 
 /** Bytes of an id. */
 const SIZE = 16;
@@ -26,13 +28,9 @@ let here = 0;
 /** How often this device has drawn with a seed, this time included; only of this page where nothing can be kept. */
 function counted(seed: number): number {
   here += 1;
-  try {
-    const [of, count] = (localStorage.getItem(DRAWN) ?? "").split(" ").map(Number);
-    here = Math.max(here, of === seed ? (count ?? 0) + 1 : 0);
-    localStorage.setItem(DRAWN, `${seed} ${here}`);
-  } catch {
-    return here;
-  }
+  const [of, count] = (DRAWN.get() ?? "").split(" ").map(Number);
+  here = Math.max(here, of === seed ? (count ?? 0) + 1 : 0);
+  DRAWN.set(`${seed} ${here}`);
   return here;
 }
 

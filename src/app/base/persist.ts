@@ -1,7 +1,7 @@
-/** Notes on this device that the browser was asked to keep the works for good: it is asked once, and not again by itself. */
-const KEY = "turnwise/persist";
+import { keptText } from "./kept.ts";
 
-let asked = false;
+/** Notes on this device that the browser was asked to keep the works for good: it is asked once, and not again by itself. */
+const ASKED = keptText("persist");
 
 const storage = (): StorageManager | undefined => (typeof navigator === "undefined" ? undefined : navigator.storage);
 
@@ -16,15 +16,7 @@ export async function askToPersist(): Promise<boolean> {
 
 /** Asks once, when the first work was kept: then there is something to lose. */
 export function persistOnce(): void {
-  if (asked) return;
-  asked = true;
-  try {
-    if (localStorage.getItem(KEY) !== null) return;
-    localStorage.setItem(KEY, "asked");
-  } catch {
-    return;
-  }
-  void askToPersist();
+  if (ASKED.get() === null && ASKED.set("asked")) void askToPersist();
 }
 
 /** What is known of the storage of this device; null for what the browser does not say. */

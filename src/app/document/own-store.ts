@@ -1,28 +1,38 @@
-import { create } from "zustand";
+import { z } from "zod/mini";
 import type { OwnList } from "../../program/edits/own-library.ts";
-import { forget, goesOn, noteChange } from "./steps.ts";
+import { notice } from "../base/notices.ts";
+import { record } from "../base/record.ts";
+import { uniqueIds } from "../base/unique.ts";
+import { editRecord } from "./edit-record.ts";
+import { forget } from "./steps.ts";
+
+const text = z.string().check(z.maxLength(500));
+const parameter = z.object({
+  id: text,
+  q: text,
+  prompt: text,
+  kind: z.enum(["length", "angle", "feed", "choice", "number"]),
+  min: text,
+  max: text,
+  first: text,
+  choices: text,
+});
+const cycle = z.object({ id: text, number: text, name: text, parameters: z.array(parameter).check(uniqueIds) });
+
+const NONE: OwnList = [];
 
 /** The cycles of this device's operator, as typed. They belong to no program: any of them may call one. */
-export interface Own {
-  readonly list: OwnList;
-}
-
-export const useOwn = create<Own>(() => ({ list: [] }));
-
-/** Puts a list in place; what its steps are steps of. */
-export const putOwn = (list: OwnList): void => useOwn.setState({ list });
+export const ownRecord = record({
+  key: "own-cycles",
+  version: 1,
+  schema: z.object({ cycles: z.array(cycle).check(uniqueIds) }),
+  from: ({ cycles }): OwnList => cycles,
+  to: (cycles) => ({ cycles }),
+  first: NONE,
+  undo: forget,
+  say: (trouble) => notice(trouble === "damaged" ? "ownDamaged" : "ownNotKept"),
+});
+export const useOwn = ownRecord.use;
 
 /** Changes the list as one step of undo; changes that name the same place, one after the other, are one step together. */
-export function editOwn(change: (list: OwnList) => OwnList, place: string | null = null): void {
-  const { list } = useOwn.getState();
-  const next = change(list);
-  if (next === list) return;
-  putOwn(next);
-  noteChange(putOwn, list, next, goesOn(place));
-}
-
-/** Puts a list in place that comes from the device or from another tab: nothing before it can be undone here. */
-export function takeOwn(list: OwnList): void {
-  putOwn(list);
-  forget(putOwn);
-}
+export const editOwn = (change: (list: OwnList) => OwnList, place: string | null = null): void => editRecord(ownRecord, change, place);

@@ -1,4 +1,5 @@
 import { create } from "zustand";
+import { isSameData } from "../base/same.ts";
 
 /**
  * One step of undo. Both ways say whether they could be gone: a step whose text is no longer held is passed over.
@@ -47,21 +48,8 @@ const joinedStep = (first: HistoryStep, second: HistoryStep): HistoryStep => ({
   ...(first.states && second.states && { states: [first.states[0], second.states[1]] as const }),
 });
 
-const isPlain = (a: unknown): a is Readonly<Record<string, unknown>> => {
-  const kind: unknown = typeof a === "object" && a !== null ? Object.getPrototypeOf(a) : null;
-  return kind === Object.prototype || kind === Array.prototype;
-};
-
-/** Whether two states say the same. What they share, which is most of them, is not looked into. */
-function isSameState(a: unknown, b: unknown): boolean {
-  if (a === b) return true;
-  if (!isPlain(a) || !isPlain(b) || Array.isArray(a) !== Array.isArray(b)) return false;
-  const names = Object.keys(a);
-  return names.length === Object.keys(b).length && names.every((name) => name in b && isSameState(a[name], b[name]));
-}
-
 /** A drag that is taken back, a digit that is typed and erased: nobody would see that such a step is undone. */
-const leadsNowhere = ({ states }: HistoryStep): boolean => states !== undefined && isSameState(...states);
+const leadsNowhere = ({ states }: HistoryStep): boolean => states !== undefined && isSameData(...states);
 
 /** Notes a change that was just made. `on`: it goes on with the step before, which then leads here at once. */
 export function note(step: HistoryStep, on = false): void {

@@ -9,7 +9,7 @@ import { asOneStep, closeStep, redo, undo, useSteps } from "./steps.ts";
 import { begin, edit, open, useEditor } from "./store.ts";
 import { setCell } from "../../features/tools/tool-edits.ts";
 import { seen, uncover, usePlace } from "../place/place.ts";
-import { takeTools, useTools } from "./tool-store.ts";
+import { toolRecord, useTools } from "./tool-store.ts";
 
 const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
@@ -86,7 +86,7 @@ test("tools and work are undone in the order they were changed, and the changed 
 test("a table that comes from elsewhere takes its steps along, and no others", () => {
   setPrompt(first, "1");
   setCell("r2", "RS", "0.7");
-  takeTools(shippedList);
+  toolRecord.replace(shippedList);
   expect(steps()).toBe(1);
   undoStep();
   expect(value(first)).toBe(exampleJob(cycle).drafts[cycle.number]?.[first]);

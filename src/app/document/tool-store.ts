@@ -1,13 +1,63 @@
-import { create } from "zustand";
+import { z } from "zod/mini";
+import { HOLDER_CELLS } from "../../program/tools/tool-columns.ts";
+import { hasFile, tableOrigin } from "../../program/tools/tool-entry.ts";
 import { readList, sameList, shippedList, type ToolList, type ToolListReading } from "../../program/tools/tool-list.ts";
-import { forget, goesOn, noteChange } from "./steps.ts";
+import { notice } from "../base/notices.ts";
+import { record } from "../base/record.ts";
+import { uniqueIds } from "../base/unique.ts";
+import { editRecord } from "./edit-record.ts";
+import { forget } from "./steps.ts";
+import { toolRow } from "./tool-rows.ts";
 
-/** The tool table of this device, as typed. It belongs to no program: all of them call its tools but those that bring their own. */
-export interface Tools {
-  readonly list: ToolList;
+/** Files that rows came from; a row names its file by the place in this list, and its line. */
+const origin = z.object({ name: z.string(), text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) });
+const row = z.extend(toolRow, { line: z.optional(z.tuple([z.number(), z.number()])) });
+const table = z.object({ origins: z.optional(z.array(origin)), rows: z.array(row).check(uniqueIds) });
+
+/** A table as plain data, each file that rows came from once. */
+function keptTable(list: ToolList): object {
+  const origins = [...new Set(list.flatMap((entry) => (entry.line && hasFile(entry) ? entry.line.origin : [])))];
+  const rows = list.map((entry) => ({
+    id: entry.id,
+    cells: entry.cells,
+    ...(entry.line && hasFile(entry) && { line: [origins.indexOf(entry.line.origin), entry.line.at] }),
+  }));
+  const files = origins.map(({ name, text, encoding }) => ({ name, text, encoding }));
+  return { ...(files.length > 0 && { origins: files }), rows };
 }
 
-export const useTools = create<Tools>(() => ({ list: shippedList }));
+function listOf(kept: z.output<typeof table>): ToolList {
+  const origins = (kept.origins ?? []).map(({ name, text, encoding }) => tableOrigin(name, text, encoding));
+  return kept.rows.map(({ id, cells, line }) => {
+    const from = line && origins[line[0]];
+    return { id, cells: cells as ToolList[number]["cells"], ...(line && from && { line: { origin: from, at: line[1] } }) };
+  });
+}
+
+/** A row as it was shipped but for its holder gets the holder; what was changed by hand stays as it is. */
+function withShippedHolder(row: ToolList[number]): ToolList[number] {
+  const held = (cell: string) => HOLDER_CELLS.some((each) => each === cell);
+  const shipped = shippedList.find((each) => each.cells.T === row.cells.T);
+  if (!shipped || Object.keys(row.cells).some(held)) return row;
+  const bare = { ...shipped, cells: Object.fromEntries(Object.entries(shipped.cells).filter(([cell]) => !held(cell))) };
+  return sameList([bare], [row]) ? { ...row, cells: shipped.cells } : row;
+}
+
+/** The tool table of this device, as typed. It belongs to no program: all of them call its tools but those that bring their own. */
+export const toolRecord = record({
+  key: "tools",
+  version: 2,
+  schema: table,
+  // When tables of version 1 were kept the shipped tools had no holders.
+  upgrades: { 1: (list) => list.map(withShippedHolder) },
+  from: listOf,
+  to: keptTable,
+  first: shippedList,
+  isSame: sameList,
+  undo: forget,
+  say: (trouble) => notice(trouble === "damaged" ? "toolsDamaged" : "toolsNotKept"),
+});
+export const useTools = toolRecord.use;
 
 const read = new WeakMap<ToolList, ToolListReading>();
 
@@ -20,20 +70,5 @@ export function toolsOnDevice(list: ToolList): ToolListReading {
   return made;
 }
 
-/** Puts a table in place; what its steps are steps of. */
-export const putTools = (list: ToolList): void => useTools.setState({ list });
-
 /** Changes the table as one step of undo; changes that name the same place, one after the other, are one step together. */
-export function editTools(change: (list: ToolList) => ToolList, place: string | null = null): void {
-  const { list } = useTools.getState();
-  const next = change(list);
-  if (next === list || sameList(next, list)) return;
-  putTools(next);
-  noteChange(putTools, list, next, goesOn(place));
-}
-
-/** Puts a table in place that comes from the device or from another tab: nothing before it can be undone here. */
-export function takeTools(list: ToolList): void {
-  putTools(list);
-  forget(putTools);
-}
+export const editTools = (change: (list: ToolList) => ToolList, place: string | null = null): void => editRecord(toolRecord, change, place);

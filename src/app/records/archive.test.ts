@@ -10,7 +10,7 @@ import { NO_PROGRESS, withHint, withPass, withPlace } from "../../course/progres
 import { exampleJob } from "../../program/job/job.ts";
 import { readCuttingTable, usualTable, writeCuttingTable } from "../../program/tools/cutting-table.ts";
 import { shippedList } from "../../program/tools/tool-list.ts";
-import { readSettings } from "../base/settings/settings.ts";
+import { firstSettings } from "../base/settings/settings.ts";
 import type { Work } from "../document/work.ts";
 import { ARCHIVE_LIMITS, readArchive, writeArchive, type ArchivedWork, type ReadArchive } from "./archive.ts";
 
@@ -38,7 +38,7 @@ const own = [{
 }];
 const tools = shippedList.map((row, i) => (i === 1 ? { ...row, cells: { ...row.cells, RS: "0,41x" } } : row));
 const ofShop = { power: 7.3, materials: usualTable.materials.map((each, i) => (i === 1 ? { ...each, roughSpeed: 143.7 } : each)) };
-const settings = { ...readSettings(null), language: "fr" as const, xDown: true, material: "c45", cutting: writeCuttingTable(ofShop) };
+const settings = { ...firstSettings(), language: "fr" as const, xDown: true, material: "c45", cutting: writeCuttingTable(ofShop) };
 const course = withPlace(
   withPass(withHint(NO_PROGRESS, "l03-thicker-bar", 2), "l03-thicker-bar", { when: 1_795_395_781_123, seconds: 41.7 }),
   {

@@ -1,25 +1,11 @@
 import { strFromU8, strToU8, unzipSync, zipSync, type Zippable } from "fflate";
-import { readProgress, type CourseProgress } from "../../course/progress.ts";
-import type { Task } from "../../course/task.ts";
-import type { OwnList } from "../../program/edits/own-library.ts";
-import { writeLibrary } from "../../program/edits/own-library.ts";
-import type { ToolList } from "../../program/tools/tool-list.ts";
-import { writeTableJson } from "../../program/tools/tool-table-json.ts";
-import { readForms, writeForms, type KeptForms } from "./course/form-list.ts";
-import { readGathered, writeGathered } from "./course/result-list.ts";
-import type { LearnerFile } from "./course/result-rows.ts";
-import { readTaughtList, writeTaught } from "./course/taught-list.ts";
-import { readWorked, writeWorked, type WorkedTasks } from "./course/worked-list.ts";
 import { encode } from "../document/encoding.ts";
-import { readKeptOwn } from "./keep-own.ts";
 import { parse } from "../../nc/parse.ts";
 import { isoProgramText } from "../../nc/iso/print-iso.ts";
 import { fileOfJob, printedText } from "../document/printed.ts";
-import { readSettings, type Settings } from "../base/settings/settings.ts";
-import { keptTable, readKept } from "./keep-tools.ts";
-import { toolsOnDevice } from "../document/tool-store.ts";
 import { isProgram, textsOf, type Work, type WorkFile } from "../document/work.ts";
 import { fingerprint } from "./difference.ts";
+import { eachPart, PART_NAMES, PARTS, type PartName, type PartValues } from "./parts.ts";
 import { readSave, SAVE_VERSION } from "./save-file.ts";
 
 /*
@@ -38,34 +24,17 @@ export interface ArchivedWork {
   readonly job: Work;
 }
 
-/** What an archive holds; null for what it does not bring. */
-export interface ArchiveContent {
+/** What an archive holds. */
+export interface ArchiveContent extends PartValues {
   readonly works: readonly ArchivedWork[];
-  readonly tools: ToolList | null;
-  readonly own: OwnList | null;
-  readonly settings: Settings | null;
-  /** What was reached in the course. */
-  readonly course: CourseProgress | null;
-  /** Tasks that came from an instructor. */
-  readonly taught: readonly Task[] | null;
-  /** Forms of tasks, as they were left; keyed by the works of the device that they come from. */
-  readonly forms: KeptForms | null;
-  /** How long each task was worked at. */
-  readonly worked: WorkedTasks | null;
-  /** What learners handed in. */
-  readonly results: readonly LearnerFile[] | null;
 }
-
-/** The parts of an archive beside its works. */
-const PARTS = ["tools", "own", "settings", "course", "taught", "forms", "worked", "results"] as const;
-type Part = (typeof PARTS)[number];
 
 /** A read archive. What of it cannot be read is named and stops nothing. */
 export interface ReadArchive extends ArchiveContent {
   /** Names of works that are damaged, or that only a newer edition can read. */
   readonly unread: readonly string[];
   /** Parts beside the works that are damaged. */
-  readonly unreadParts: readonly Part[];
+  readonly unreadParts: readonly PartName[];
 }
 
 /** Why a file brings nothing: it is of another kind, was altered on its way, holds more than is unpacked, or a newer edition wrote it. */
@@ -132,28 +101,17 @@ function readable(job: Work): readonly WorkFile[] {
 const [EARLIEST, LATEST] = [Date.UTC(1980, 0, 2), Date.UTC(2099, 11, 30)];
 const zipTime = (time: number): number => Math.min(Math.max(Number.isFinite(time) ? time : EARLIEST, EARLIEST), LATEST);
 
-/** A part as the device keeps it; nothing where it keeps none. */
-const asKept = (name: Part, kept: string | null): Readonly<Record<string, unknown>> =>
-  kept === null ? {} : { [name]: sealed(JSON.parse(kept)) };
-
 /** Packs works, and what else is given, into one file. */
-export function writeArchive({ works, tools = null, own = null, settings = null, ...ofCourse }: Partial<ArchiveContent>): Uint8Array<
-  ArrayBuffer
-> {
-  const { course = null, taught, forms, worked, results } = ofCourse;
-  const all = works ?? [];
+export function writeArchive({ works: all = [], ...given }: Partial<ArchiveContent>): Uint8Array<ArrayBuffer> {
   const mtime = zipTime(Math.max(EARLIEST, ...all.map(({ savedAt }) => savedAt)));
+  const beside = PART_NAMES.flatMap((name) => {
+    const part = PARTS[name], value: unknown = given[name] ?? null;
+    return value === null || part.isEmpty(value) ? [] : [{ name, part, value }];
+  });
   const manifest = {
     format: `${FORMAT}${EDITION}`,
     works: all.map(({ work, savedAt, job }) => ({ work, name: job.name, ...sealed({ version: SAVE_VERSION, savedAt, job }) })),
-    ...(tools && { tools: sealed(keptTable(tools)) }),
-    ...(own && { own: sealed({ version: 1, cycles: own }) }),
-    ...(settings && { settings: sealed(settings) }),
-    ...(course && { course: sealed(course) }),
-    ...asKept("taught", writeTaught(taught ?? [])),
-    ...asKept("forms", writeForms(forms ?? {})),
-    ...asKept("worked", writeWorked(worked ?? {})),
-    ...asKept("results", writeGathered(results ?? [])),
+    ...Object.fromEntries(beside.map(({ name, part, value }) => [name, sealed(part.write(value))])),
   };
   const files: Zippable = { [MANIFEST]: [strToU8(JSON.stringify(manifest)), { mtime }] };
   const folderOf = namer();
@@ -163,14 +121,8 @@ export function writeArchive({ works, tools = null, own = null, settings = null,
     for (const { name, text, encoding } of readable(job))
       files[`programs/${folder}/${nameOf(name)}`] = [encode(text, encoding), { mtime: zipTime(savedAt) }];
   }
-  if (tools) {
-    const { table, mills } = toolsOnDevice(tools);
-    files["tools/TOOLS.json"] = [strToU8(writeTableJson(table.tools, mills)), { mtime }];
-  }
-  if (own) files["tools/CYCLES.json"] = [strToU8(writeLibrary(own)), { mtime }];
-  if (settings && settings.cutting !== "") files["tools/CUTTING.json"] = [strToU8(settings.cutting), { mtime }];
-  if (settings && settings.machine !== "") files["tools/MACHINE.json"] = [strToU8(settings.machine), { mtime }];
-  if (settings) files["settings.json"] = [strToU8(JSON.stringify(settings, null, 2)), { mtime }];
+  for (const { part, value } of beside)
+    for (const [path, text] of Object.entries(part.files?.(value) ?? {})) files[path] = [strToU8(text), { mtime }];
   return zipSync(files, { level: 6 });
 }
 
@@ -207,21 +159,8 @@ function worksOf(raw: readonly unknown[]): Pick<ReadArchive, "works" | "unread">
 }
 
 function contentOf(raw: Readonly<Record<string, unknown>>): ReadArchive {
-  const part = <T>(name: Part, read: (text: string) => T | null): T | null => {
-    const content = unsealed(raw[name]);
-    return isRecord(content) ? read(JSON.stringify(content)) : null;
-  };
-  const parts = {
-    tools: part("tools", readKept),
-    own: part("own", readKeptOwn),
-    settings: part("settings", readSettings),
-    course: part("course", readProgress),
-    taught: part("taught", readTaughtList),
-    forms: part("forms", readForms),
-    worked: part("worked", readWorked),
-    results: part("results", readGathered),
-  };
-  const unreadParts = PARTS.filter((name) => raw[name] !== undefined && parts[name] === null);
+  const parts = eachPart((part, name) => part.read(unsealed(raw[name])));
+  const unreadParts = PART_NAMES.filter((name) => raw[name] !== undefined && parts[name] === null);
   return { ...worksOf(Array.isArray(raw["works"]) ? raw["works"] : []), ...parts, unreadParts };
 }
 

@@ -1,6 +1,6 @@
-import { createStore, del, entries, get, keys, set, setMany } from "idb-keyval";
 import { z } from "zod/mini";
 import { time } from "../base/clock.ts";
+import { database } from "../base/database.ts";
 import { isProgram, textsOf, type Work } from "../document/work.ts";
 import { isNewer, readSave, SAVE_VERSION, type SaveFile } from "./save-file.ts";
 
@@ -34,13 +34,7 @@ export interface Found {
 export type KeepState = "kept" | "full" | "refused";
 
 /** Works, what was set aside, and beside each work what a list shows of it: a list of many must not read all their texts. */
-type Stores = Readonly<Record<"works" | "aside" | "heads", ReturnType<typeof createStore>>>;
-let stores: Stores | null = null;
-const open = (): Stores => (stores ??= {
-  works: createStore("turnwise-works", "works"),
-  aside: createStore("turnwise-damaged", "damaged"),
-  heads: createStore("turnwise-heads", "heads"),
-});
+const [works, aside, heads] = [database("works"), database("damaged"), database("heads")];
 
 /** A device that does not answer must not keep the page from opening, ms. */
 const PATIENCE = 4000;
@@ -55,14 +49,13 @@ function inTime<T>(answer: Promise<T>): Promise<T> {
 
 /** Saves that were set aside and can be read by this edition come back to the others. */
 async function bringBack(): Promise<void> {
-  const { works, aside } = open();
-  for (const key of await inTime(keys<string>(aside))) {
-    const raw = await inTime(get<unknown>(key, aside));
+  for (const key of await inTime(aside.keys())) {
+    const raw = await inTime(aside.get(key));
     if (!readSave(raw)) continue;
     const own = String(key).replace(/^\d+ /, "");
-    const free = (await inTime(get(own, works))) === undefined;
-    await set(free ? own : String(key), raw, works);
-    await del(key, aside);
+    const free = (await inTime(works.get(own))) === undefined;
+    await works.set(free ? own : String(key), raw);
+    await aside.del(key);
   }
 }
 
@@ -88,7 +81,7 @@ const headShape = z.object({
 /** What lists show of works, by their names; a work without a head is read itself. */
 async function knownHeads(): Promise<ReadonlyMap<string, Head>> {
   try {
-    const all = await inTime(entries<string, unknown>(open().heads));
+    const all = await inTime(heads.entries());
     return new Map(all.flatMap(([work, raw]) => {
       const read = headShape.safeParse(raw);
       return read.success ? [[String(work), read.data] as const] : [];
@@ -101,7 +94,7 @@ async function knownHeads(): Promise<ReadonlyMap<string, Head>> {
 /** Notes what lists show of a work, null of one that is to be read itself. A head is a convenience: without it nothing is lost. */
 async function noteHead(work: string, head: Head | null): Promise<void> {
   try {
-    await (head ? set(work, head, open().heads) : del(work, open().heads));
+    await (head ? heads.set(work, head) : heads.del(work));
   } catch {
     return;
   }
@@ -116,30 +109,29 @@ export async function findWorks(): Promise<Found> {
   const fresh: [string, Head][] = [];
   let [setAside, newer, available] = [0, 0, true];
   try {
-    const { works, aside } = open();
     await bringBack();
     const known = await knownHeads();
-    for (const key of await inTime(keys<string>(works))) {
+    for (const key of await inTime(works.keys())) {
       const work = String(key);
       const head = known.get(work);
       if (head) {
         found.push({ work, ...head });
         continue;
       }
-      const raw = await inTime(get<unknown>(key, works));
+      const raw = await inTime(works.get(key));
       const file = readSave(raw);
       if (file) {
         found.push({ work, ...headOf(file) });
         fresh.push([work, headOf(file)]);
       } else if (isNewer(raw)) newer += 1;
       else if (raw !== undefined) {
-        await set(`${time()} ${String(key)}`, raw, aside);
-        await del(key, works);
+        await aside.set(`${time()} ${String(key)}`, raw);
+        await works.del(key);
         setAside += 1;
       }
     }
     // A head is a convenience: without it a work is read itself the next time.
-    if (fresh.length > 0) await setMany(fresh, open().heads).catch(() => undefined);
+    if (fresh.length > 0) await heads.setMany(fresh).catch(() => undefined);
   } catch {
     available = false;
   }
@@ -149,7 +141,7 @@ export async function findWorks(): Promise<Found> {
 /** One saved work; null when there is none, or none that can be read. */
 export async function readWork(work: string): Promise<SaveFile | null> {
   try {
-    const raw = await inTime(get<unknown>(work, open().works));
+    const raw = await inTime(works.get(work));
     const file = readSave(raw);
     // The next look at the list reads this one itself and sets it aside.
     if (!file && raw !== undefined) await noteHead(work, null);
@@ -165,7 +157,7 @@ const isFull = (error: unknown) => error instanceof Error && error.name === "Quo
 export async function keepWork(work: string, job: Work, savedAt = time()): Promise<KeepState> {
   try {
     const file: SaveFile = { version: SAVE_VERSION, savedAt, job };
-    await set(work, file, open().works);
+    await works.set(work, file);
     await noteHead(work, headOf(file));
     return "kept";
   } catch (error) {
@@ -176,7 +168,7 @@ export async function keepWork(work: string, job: Work, savedAt = time()): Promi
 /** Takes one work out of the list, for the operator asked for it. */
 export async function forgetWork(work: string): Promise<void> {
   try {
-    await del(work, open().works);
+    await works.del(work);
     await noteHead(work, null);
   } catch {
     return;

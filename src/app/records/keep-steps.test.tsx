@@ -6,10 +6,10 @@ import { draftOf, setContour, setPrompt, setRapid } from "../document/edits.ts";
 import { closeSession, dispatchEdit, handOverText, openBlock, openSession, sessionText, sessionView,
   useSession } from "../fields/blocks/session.ts";
 import { closeStep, forget, redo, undo, useSteps } from "../document/steps.ts";
-import { editOwn, takeOwn, useOwn } from "../document/own-store.ts";
+import { editOwn, ownRecord, useOwn } from "../document/own-store.ts";
 import { beforeLeaving, begin, changeProgram, open, useEditor } from "../document/store.ts";
 import { setCell } from "../../features/tools/tool-edits.ts";
-import { takeTools, useTools } from "../document/tool-store.ts";
+import { toolRecord, useTools } from "../document/tool-store.ts";
 import type { Work } from "../document/work.ts";
 import { startKeepingSteps, takeKeptSteps } from "./keep-steps.ts";
 
@@ -22,8 +22,8 @@ let stop = () => undefined as void;
 
 beforeEach(() => {
   sessionStorage.clear();
-  takeTools(shippedList);
-  takeOwn([]);
+  toolRecord.replace(shippedList);
+  ownRecord.replace([]);
   beforeLeaving.add(handOverText);
   stop = startKeepingSteps();
 });
@@ -114,7 +114,7 @@ test("steps of a table that was changed meanwhile do not come back, those of the
   typed("7.25", other);
   dispatchEvent(new Event("pagehide"));
   const note = sessionStorage.getItem("turnwise/steps") ?? "";
-  takeTools([]);
+  toolRecord.replace([]);
   const now = useEditor.getState().job;
   forget();
   begin(now, "w");

@@ -1,7 +1,7 @@
-import { putOwn, useOwn } from "../document/own-store.ts";
+import { jsonOf, keptText } from "../base/kept.ts";
+import { undoneRecords } from "../base/record.ts";
 import { handOver, OF_FILES, putJob, putProgram, useEditor } from "../document/store.ts";
 import { resumeSteps, stepBetween, useSteps, type HistoryStep } from "../document/steps.ts";
-import { putTools, useTools } from "../document/tool-store.ts";
 import type { Work } from "../document/work.ts";
 import { withDifference, differenceOf, fingerprint, type Difference, type Json } from "./difference.ts";
 
@@ -10,7 +10,7 @@ import { withDifference, differenceOf, fingerprint, type Difference, type Json }
  * that typing never waits for it, and taken only for the very state it was written of.
  */
 
-const KEY = "turnwise/steps";
+const KEPT = keptText("steps", "tab");
 
 /** Steps of one side that are written, and characters of all. */
 const MOST = { steps: 200, size: 2_000_000 };
@@ -21,28 +21,23 @@ export interface KeptText {
   readonly state: unknown;
 }
 
-/** Tables of the device, whose steps stand between those of a work. */
-const TABLES = {
-  tools: { put: putTools, list: () => useTools.getState().list },
-  own: { put: putOwn, list: () => useOwn.getState().list },
-} as const;
-type TableName = keyof typeof TABLES;
-const NAMES = Object.keys(TABLES) as readonly TableName[];
-const tableOf = (step: HistoryStep): TableName | undefined => NAMES.find((name) => TABLES[name].put === step.of);
-const tablesNow = () => ({ tools: TABLES.tools.list(), own: TABLES.own.list() });
+/** A record of the device, whose steps stand between those of a work, by its key. */
+const recordOf = (of: object | string | undefined) => undoneRecords().find(({ key, put }) => key === of || put === of);
 /** States that are known while steps are gone through, as they are in files. */
-type Known = Partial<Record<TableName | "work", Json>>;
-const knownNow = (present: Work | null) => ({ ...tablesNow(), work: present }) as unknown as Known;
+type Known = Partial<Record<string, Json>>;
+const WORK = "work";
+const knownNow = (present: Work | null) =>
+  Object.fromEntries([[WORK, present], ...undoneRecords().map(({ key, now }) => [key, now()])]) as Known;
 
 /** A step: of a whole state, by what differs from the one that is known; or one step through the text of a file. */
-type KeptStep = { readonly near: Difference; readonly far: Difference; readonly table?: TableName } | { readonly file: string };
+type KeptStep = { readonly near: Difference; readonly far: Difference; readonly table?: string } | { readonly file: string };
 
 interface KeptSteps {
   /** Empty where none was open. */
   readonly work: string;
   readonly print: string;
   /** Marks of the tables, whose steps count only for the same tables. */
-  readonly tables?: Readonly<Record<TableName, string>>;
+  readonly tables?: Readonly<Record<string, string>>;
   /** Newest change first, and the other way next to be made again first. */
   readonly past: readonly KeptStep[];
   readonly future: readonly KeptStep[];
@@ -58,13 +53,13 @@ function kept(steps: readonly HistoryStep[], present: Work | null, nearSide: 0 |
   const known = knownNow(present);
   let size = 0;
   for (const step of [...steps].reverse()) {
-    const table = tableOf(step);
+    const table = recordOf(step.of)?.key;
     const isWhole = present !== null && (step.of === putJob || step.of === OF_FILES);
     // Opening another work is where these end.
     if (step.file === undefined && !((isWhole || table) && step.states)) break;
     if (step.file !== undefined) found.push({ file: step.file });
     else if (step.states) {
-      const of = table ?? "work";
+      const of = table ?? WORK;
       const near = step.states[nearSide] as Json;
       const far = step.states[nearSide === 0 ? 1 : 0] as Json;
       const made = { near: differenceOf(known[of] ?? null, near), far: differenceOf(near, far), ...(table && { table }) };
@@ -78,17 +73,15 @@ function kept(steps: readonly HistoryStep[], present: Work | null, nearSide: 0 |
   return found;
 }
 
-const printsOfTables = () => {
-  const { tools, own } = tablesNow();
-  return { tools: fingerprint(tools), own: fingerprint(own) };
-};
+const printsOfTables = (): Readonly<Record<string, string>> =>
+  Object.fromEntries(undoneRecords().map(({ key, now }) => [key, fingerprint(now())]));
 
 function write(): void {
   handOver();
   const { job, program, work } = useEditor.getState();
   const present = job ?? program;
   try {
-    sessionStorage.removeItem(KEY);
+    KEPT.set(null);
     const { past, future } = useSteps.getState();
     if ((program?.text.length ?? 0) > MOST.size) return;
     const steps: KeptSteps = {
@@ -100,7 +93,7 @@ function write(): void {
       texts: program && work !== null ? [...textKeepers].flatMap((texts) => texts(work)) : [],
     };
     const text = JSON.stringify(steps);
-    if (text.length <= MOST.size) sessionStorage.setItem(KEY, text);
+    if (text.length <= MOST.size) KEPT.set(text);
   } catch {
     return;
   }
@@ -122,18 +115,14 @@ export function startKeepingSteps(): () => void {
 /** What was written of the work as it is now, once; null where it is another one, or was changed since. */
 function taken(): KeptSteps | null {
   const { job, program, work } = useEditor.getState();
-  try {
-    const raw = JSON.parse(sessionStorage.getItem(KEY) ?? "null") as KeptSteps | null;
-    if (!raw || raw.work !== (work ?? "")) return null;
-    sessionStorage.removeItem(KEY);
-    return raw.print === fingerprint(job ?? program) ? raw : null;
-  } catch {
-    return null;
-  }
+  const raw = jsonOf(KEPT.get()) as KeptSteps | null | undefined;
+  if (raw?.work !== (work ?? "")) return null;
+  KEPT.set(null);
+  return raw.print === fingerprint(job ?? program) ? raw : null;
 }
 
 /** Steps again, in the order of the history: the one that is gone next stands last. */
-function stepsOf(list: readonly KeptStep[], same: readonly TableName[], nearSide: 0 | 1, textStep: (file: string) => HistoryStep | null) {
+function stepsOf(list: readonly KeptStep[], same: readonly string[], nearSide: 0 | 1, textStep: (file: string) => HistoryStep | null) {
   const { job, program, work } = useEditor.getState();
   const known = knownNow(job ?? program);
   const steps: HistoryStep[] = [];
@@ -147,13 +136,14 @@ function stepsOf(list: readonly KeptStep[], same: readonly TableName[], nearSide
     const { table } = one;
     // The steps of a table that was changed since lead nowhere; those of the work go on.
     if (table !== undefined && !same.includes(table)) continue;
-    const of = table ?? "work";
+    const of = table ?? WORK;
     const near = withDifference(known[of] ?? null, one.near);
     const far = withDifference(near, one.far);
     known[of] = far;
     const [before, after] = (nearSide === 1 ? [far, near] : [near, far]) as unknown[];
-    if (table !== undefined) {
-      steps.push(stepBetween(TABLES[table].put as (state: unknown) => void, before, after));
+    const record = recordOf(table);
+    if (record) {
+      steps.push(stepBetween(record.put, before, after));
       continue;
     }
     steps.push(
@@ -176,7 +166,7 @@ export function takeKeptSteps(putBack: ((texts: readonly KeptText[]) => (file: s
   try {
     const textStep = putBack?.(record.texts) ?? (() => null);
     const prints = printsOfTables();
-    const same = NAMES.filter((name) => record.tables?.[name] === prints[name]);
+    const same = Object.keys(prints).filter((name) => record.tables?.[name] === prints[name]);
     resumeSteps(stepsOf(record.past, same, 1, textStep), stepsOf(record.future, same, 0, textStep));
   } catch {
     return;

@@ -1,50 +1,35 @@
 import { create } from "zustand";
+import { z } from "zod/mini";
 import { parseAddress } from "../place/address.ts";
 import { time } from "../base/clock.ts";
+import { keptData } from "../base/kept.ts";
 import { isMissing } from "../base/parts.ts";
 
 /** A fault of the page, as it is kept on this device. Nothing of it goes anywhere by itself, and no program is in it. */
-export interface FaultReport {
+const shape = z.object({
   /** Milliseconds since 1970, of the last time. */
-  readonly at: number;
-  readonly count: number;
-  readonly message: string;
-  readonly stack: string;
-  readonly version: string;
+  at: z.number(),
+  count: z.number(),
+  message: z.string(),
+  stack: z.string(),
+  version: z.string(),
   /** Address of the page, without what a share link carries. */
-  readonly address: string;
-  readonly browser: string;
-}
+  address: z.string(),
+  browser: z.string(),
+});
+export type FaultReport = Readonly<z.output<typeof shape>>;
 
-const KEY = "turnwise/reports";
 /** Reports that are kept, and characters of one part of them. */
 const MOST = { reports: 8, text: 4000 };
 
-const isReport = (raw: unknown): raw is FaultReport =>
-  typeof raw === "object" && raw !== null && ["message", "stack", "version", "address", "browser"].every((key) =>
-    typeof (raw as Readonly<Record<string, unknown>>)[key] === "string"
-  ) && typeof (raw as FaultReport).at === "number" && typeof (raw as FaultReport).count === "number";
-
-function stored(): readonly FaultReport[] {
-  try {
-    const raw: unknown = JSON.parse(localStorage.getItem(KEY) ?? "[]");
-    return Array.isArray(raw) ? raw.filter(isReport).slice(0, MOST.reports) : [];
-  } catch {
-    return [];
-  }
-}
+const KEPT = keptData<readonly FaultReport[]>("reports", z.array(shape));
 
 /** Newest first. */
-export const useReports = create<{ readonly list: readonly FaultReport[] }>(() => ({ list: stored() }));
+export const useReports = create<{ readonly list: readonly FaultReport[] }>(() => ({ list: KEPT.get()?.slice(0, MOST.reports) ?? [] }));
 
 function keep(list: readonly FaultReport[]): void {
   useReports.setState({ list });
-  try {
-    if (list.length > 0) localStorage.setItem(KEY, JSON.stringify(list));
-    else localStorage.removeItem(KEY);
-  } catch {
-    return;
-  }
+  KEPT.set(list.length > 0 ? list : null);
 }
 
 /** The address of the page without a program in it: a share link carries one behind its mark. */

@@ -1,13 +1,14 @@
 import { drawnId } from "../base/chance.ts";
+import { jsonOf, keptText } from "../base/kept.ts";
 
 /**
  * A work is written by one tab at a time: the one that holds its lock, which dies with the tab. Which work a tab has open survives a
  * reload in the session storage. Tabs speak over a channel: one asks for a work, the one that has it hands over its newest state.
  */
-const KEY = "turnwise/work";
+const OPEN = keptText("work", "tab");
 
 /** What could not be written before the page went away. */
-const PENDING = "turnwise/pending";
+const PENDING = keptText("pending", "tab");
 
 const LOCK = "turnwise ";
 
@@ -24,22 +25,11 @@ export const owns = (work: string): boolean => mine.has(work);
 export const ownedWorks = (): readonly string[] => [...mine.keys()];
 
 /** What this tab had open before a reload: a work, "" for the start page, null in a new tab. */
-export function rememberedWork(): string | null {
-  try {
-    return sessionStorage.getItem(KEY);
-  } catch {
-    return null;
-  }
-}
+export const rememberedWork = (): string | null => OPEN.get() ?? null;
 
 export function rememberWork(work: string | null): void {
   const name = work ?? "";
-  if (rememberedWork() === name) return;
-  try {
-    sessionStorage.setItem(KEY, name);
-  } catch {
-    return;
-  }
+  if (rememberedWork() !== name) OPEN.set(name);
 }
 
 /** The last state of a work as it would lie on the device. */
@@ -54,25 +44,13 @@ export interface Behind {
  */
 export function leaveBehind(states: readonly Behind[]): void {
   const parts = states.map((state) => JSON.stringify(state)).sort((a, b) => a.length - b.length);
-  for (;; parts.pop()) {
-    try {
-      if (parts.length > 0) sessionStorage.setItem(PENDING, `[${parts.join(",")}]`);
-      else sessionStorage.removeItem(PENDING);
-      return;
-    } catch {
-      if (parts.length === 0) return;
-    }
-  }
+  while (!PENDING.set(parts.length > 0 ? `[${parts.join(",")}]` : null) && parts.length > 0) parts.pop();
 }
 
 /** What the page before left behind. */
 export function leftBehind(): readonly Behind[] {
-  try {
-    const raw: unknown = JSON.parse(sessionStorage.getItem(PENDING) ?? "[]");
-    return Array.isArray(raw) ? raw.filter(isBehind) : [];
-  } catch {
-    return [];
-  }
+  const raw = jsonOf(PENDING.get());
+  return Array.isArray(raw) ? raw.filter(isBehind) : [];
 }
 
 const isBehind = (raw: unknown): raw is Behind =>

@@ -7,7 +7,7 @@ import { redoStep, undoStep } from "../document/history.ts";
 import { lazyPart } from "../base/parts.ts";
 import { useSteps } from "../document/steps.ts";
 import { useEditor } from "../document/store.ts";
-import { CreateProgram } from "../../features/start/index.ts";
+import { CreateProgram } from "../../features/start/first.ts";
 
 /** Fetched when it is first opened. */
 const SettingsDialog = lazyPart(async () => ({ default: (await import("./SettingsDialog.tsx")).SettingsDialog }));

@@ -1,4 +1,5 @@
 import { z } from "zod/mini";
+import { keptData } from "../base/kept.ts";
 import { useEditor } from "../document/store.ts";
 import { usePlace } from "../place/place.ts";
 import { isShareLink, parseAddress, printAddress } from "../place/address.ts";
@@ -23,25 +24,13 @@ function entryOf(raw: unknown): Entry | null {
 const entry = (): Entry | null => entryOf(history.state);
 
 /** The present entry as it was when the page went away: a browser notes nothing in its history any more by then. */
-const LEFT = "turnwise/place";
-
-function leave(address: string | null, note: Entry): void {
-  try {
-    sessionStorage.setItem(LEFT, JSON.stringify({ address, note }));
-  } catch {
-    return;
-  }
-}
+const LEFT = keptData("place", z.object({ address: z.nullable(z.string()), note: entryShape }), "tab");
 
 /** The entry that the page before this one left at the same address. */
 function left(): Entry | null {
-  try {
-    const raw = JSON.parse(sessionStorage.getItem(LEFT) ?? "null") as { readonly address: unknown; readonly note: unknown } | null;
-    sessionStorage.removeItem(LEFT);
-    return raw?.address === location.hash ? entryOf(raw.note) : null;
-  } catch {
-    return null;
-  }
+  const kept = LEFT.get();
+  LEFT.set(null);
+  return kept?.address === location.hash ? kept.note : null;
 }
 
 /** Opens the prompt that was open in this entry of the history. */
@@ -156,7 +145,7 @@ export function followAddress(begun = location.hash): () => void {
   const noteSoon = () => {
     rest ??= setTimeout(noteNow, REST);
   };
-  const note = () => leave(shown, noteOf(entry()?.from ?? null));
+  const note = () => LEFT.set({ address: shown, note: noteOf(entry()?.from ?? null) });
   const stops = [
     useEditor.subscribe((now, before) => {
       if (now.work !== before.work) soon();

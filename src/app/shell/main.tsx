@@ -10,7 +10,6 @@ import { startReports } from "../records/reports.ts";
 import { startEngineLater } from "../calculation/later.ts";
 import { openShared } from "./open-shared.ts";
 import { onHistoryKey } from "../document/history.ts";
-import { startOwn } from "../records/keep-own.ts";
 import { useNotices } from "../base/notices.ts";
 import { followMissing, untilHere } from "../base/parts.ts";
 import "./slots.ts";
@@ -20,14 +19,13 @@ import { followAppearance } from "../base/settings/appearance.ts";
 import { fetchFirstTexts } from "../base/settings/loaded-texts.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../document/store.ts";
-import { startTools } from "../records/keep-tools.ts";
 import "../base/styles/tokens.css";
 import "../base/styles/base.css";
 import "../base/styles/layout.css";
 import "../base/styles/dialog.css";
 import "../base/styles/panels.css";
 import "../base/styles/start.css";
-import { startOfflineLater } from "../../features/offline/index.ts";
+import { startOfflineLater } from "../../features/offline/first.ts";
 
 z.config({ jitless: true });
 startReports();
@@ -35,8 +33,6 @@ followAppearance();
 followMissing();
 startOfflineLater();
 document.addEventListener("keydown", onHistoryKey);
-startTools();
-startOwn();
 /** What is kept beside the work: its history in this tab, and its picture. The first screen waits for neither. */
 async function keepBeside(): Promise<void> {
   const [{ startKeepingSteps, takeKeptSteps }, { startKeepingPictures }] = await untilHere(() =>

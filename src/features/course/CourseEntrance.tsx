@@ -1,8 +1,7 @@
 import { lessonNumbers } from "virtual:course-index";
-import { useEffect } from "react";
 import { Icon } from "../../app/base/Icon.tsx";
 import { courseHref } from "../../app/place/course-links.ts";
-import { startLearning, useLearning } from "../../app/records/course/progress.ts";
+import { useLearning } from "../../app/records/course/progress.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 import "./entrance.css";
 
@@ -13,7 +12,6 @@ import "./entrance.css";
 export function CourseEntrance() {
   const { entrance: t } = useCourseTexts();
   const last = useLearning((s) => s.list.last);
-  useEffect(startLearning, []);
   return (
     <a className="course-entrance" href={last ? courseHref(last.lesson, last.page) : courseHref()}>
       <b>{t.name}</b> <span className="soft">{last ? t.goOn(String(lessonNumbers[last.lesson] ?? last.number)) : t.about}</span>

@@ -3,7 +3,6 @@ import { useCourseIndex } from "../../app/records/course/content.ts";
 import { coursePage, usePlace } from "../../app/place/place.ts";
 import { CourseList } from "./CourseList.tsx";
 import { LessonView } from "./LessonView.tsx";
-import { startLearning } from "../../app/records/course/progress.ts";
 import { useCourseTexts } from "./use-course-texts.ts";
 import "./course.css";
 
@@ -12,7 +11,6 @@ export function CoursePage() {
   const t = useCourseTexts();
   const { lessons } = useCourseIndex();
   const lesson = usePlace((p) => coursePage(p)?.lesson ?? null);
-  useEffect(startLearning, []);
   const open = lessons.find(({ id }) => id === lesson);
   const title = open ? t.openLesson(String(open.number), open.title) : t.title;
   useEffect(() => {

@@ -1,7 +1,5 @@
 /* Lessons, tasks, and what teachers make of them. */
 
-export { TaskLine } from "./task/TaskLine.tsx";
-export { IncomingTaught } from "./teach/IncomingTaught.tsx";
 export const fetchCourseEntrance = () => import("./CourseEntrance.tsx");
 export const fetchCoursePage = () => import("./CoursePage.tsx");
 export const fetchProgramDrawing = () => import("./drawing/ProgramDrawing.tsx");

@@ -10,7 +10,7 @@ import { readArchive } from "../../app/records/archive.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
 import { begin, handedOn, useEditor } from "../../app/document/store.ts";
 import { redo, undo } from "../../app/document/steps.ts";
-import { editTools, takeTools, useTools } from "../../app/document/tool-store.ts";
+import { editTools, toolRecord, useTools } from "../../app/document/tool-store.ts";
 import { controlInUse, machineInUse, toolTable } from "../../app/document/work-tools.ts";
 import { isProgram, type Work } from "../../app/document/work.ts";
 import { printedText } from "../../app/document/printed.ts";
@@ -49,7 +49,7 @@ const arrive = (link: string) => {
 
 afterEach(() => {
   begin(null, null);
-  takeTools(shippedList);
+  toolRecord.replace(shippedList);
   changeSettings({ control: "TNC 640", machine: "" });
 });
 
@@ -64,7 +64,7 @@ test("a cycle that nobody has chosen a tool for brings the one that was proposed
   expect(sent.work).toMatchObject({ tool: Number(proposed), control: "TNC7" });
   expect(Object.keys((sent.work as { drafts: object }).drafts)).toEqual([String(cycle.number)]);
 
-  takeTools([]);
+  toolRecord.replace([]);
   changeSettings({ control: "TNC 640" });
   begin(arrive(linkOf("", sent.work)), "theirs");
   expect([rs(Number(proposed)), controlInUse()]).toEqual([0.61, "TNC7"]);

@@ -7,11 +7,10 @@ import { newParameter, OWN_SIZES, type OwnEntry } from "../../program/edits/own-
 import { onHistoryKey } from "../../app/document/history.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
 import { redo, undo, useSteps } from "../../app/document/steps.ts";
-import { readKeptOwn, startOwn, writeKeptOwn } from "../../app/records/keep-own.ts";
 import { describeBlock } from "../../app/fields/blocks/own-edits.ts";
 import { importOwnFile } from "./own-files.ts";
 import { showOwn, usePlace } from "../../app/place/place.ts";
-import { takeOwn, useOwn } from "../../app/document/own-store.ts";
+import { editOwn, ownRecord, useOwn } from "../../app/document/own-store.ts";
 import { OwnPage } from "./OwnPage.tsx";
 import { texts } from "../../i18n/index.ts";
 
@@ -31,7 +30,7 @@ beforeEach(() => {
   localStorage.removeItem("turnwise/own-cycles");
   localStorage.removeItem("turnwise/own-cycles/damaged");
   useNotices.setState({ notices: [] });
-  takeOwn([]);
+  ownRecord.replace([]);
   usePlace.setState({ own: { row: null, focus: 0 } });
 });
 afterEach(cleanup);
@@ -54,7 +53,7 @@ test("a cycle is described by keyboard: the number is asked first, Enter goes on
 });
 
 test("what is wrong stands at its field, and the list names the cycle that cannot be used", async () => {
-  takeOwn([entry("c1", "317"), entry("c2", "812")]);
+  ownRecord.replace([entry("c1", "317"), entry("c2", "812")]);
   showOwn("c2");
   render(<OwnPage />);
   const user = userEvent.setup();
@@ -67,7 +66,7 @@ test("what is wrong stands at its field, and the list names the cycle that canno
 });
 
 test("typing in one field is one step of undo; the history keys work here and leave the keyboard where it is", async () => {
-  takeOwn([entry("c1", "317")]);
+  ownRecord.replace([entry("c1", "317")]);
   document.addEventListener("keydown", onHistoryKey);
   render(<OwnPage />);
   const user = userEvent.setup();
@@ -84,7 +83,7 @@ test("typing in one field is one step of undo; the history keys work here and le
 });
 
 test("duplicate, delete, and undo beside what was said", async () => {
-  takeOwn([entry("c1", "317")]);
+  ownRecord.replace([entry("c1", "317")]);
   render(<OwnPage />);
   const user = userEvent.setup();
   await user.click(screen.getByRole("button", { name: t.duplicateLong(t.cycleName("317", "BAR PULLER")) }));
@@ -97,7 +96,7 @@ test("duplicate, delete, and undo beside what was said", async () => {
 });
 
 test("parameters are moved and deleted; a choice asks for its values instead of bounds", async () => {
-  takeOwn([{
+  ownRecord.replace([{
     ...entry("c1", "317"),
     parameters: [newParameter("p1", { q: "Q1", prompt: "A" }), newParameter("p2", { q: "Q2", prompt: "B" })],
   }]);
@@ -124,7 +123,7 @@ test("a block is described once", () => {
 });
 
 test("a file comes in as one step, or not at all", async () => {
-  takeOwn([entry("c1", "317")]);
+  ownRecord.replace([entry("c1", "317")]);
   const file = (text: string) => new File([text], "a.json");
   const said = await importOwnFile(file('{"cycles":[{"number":317,"name":"NEW"},{"number":812,"name":"B","depth":1}]}'), t);
   expect(said.sentences).toEqual([t.files.imported("a.json", 1, 1), t.files.importedWrong(1), t.files.leftOut("depth")]);
@@ -140,29 +139,31 @@ test("a file comes in as one step, or not at all", async () => {
   expect(list()).toEqual([entry("c1", "317")]);
 });
 
-test("what is kept comes back; damaged text does not", () => {
+test("what is kept comes back; damaged data do not", () => {
   const own = [entry("c1", "31x"), entry("c2", "317", "")];
-  expect(readKeptOwn(writeKeptOwn(own) ?? "")).toEqual(own);
-  expect(writeKeptOwn([])).toBeNull();
-  const twice = JSON.stringify({ version: 1, cycles: [own[0], own[0]] });
-  const wrongKind = JSON.stringify({ version: 1, cycles: own }).replace('"length"', '"depth"');
-  for (const damaged of ["{", "[]", '{"version":2,"cycles":[]}', twice, wrongKind]) expect(readKeptOwn(damaged)).toBeNull();
+  expect(ownRecord.read(ownRecord.write(own))).toEqual(own);
+  const wrongKind = JSON.parse(JSON.stringify({ version: 1, cycles: own }).replace('"length"', '"depth"')) as unknown;
+  for (const damaged of [undefined, [], { version: 2, cycles: [] }, { version: 1, cycles: [own[0], own[0]] }, wrongKind])
+    expect(ownRecord.read(damaged)).toBeNull();
 });
 
 test("changes are kept on the device, damaged lists are set aside, other tabs are followed", () => {
+  const fromOtherTab = (newValue: string) =>
+    dispatchEvent(new StorageEvent("storage", { key: "turnwise/own-cycles", newValue, storageArea: localStorage }));
   localStorage.setItem("turnwise/own-cycles", "{broken");
-  const stop = startOwn();
+  fromOtherTab("{broken");
   expect(useNotices.getState().notices).toEqual(["ownDamaged"]);
   expect(localStorage.getItem("turnwise/own-cycles/damaged")).toBe("{broken");
-  useOwn.setState({ list: [entry("c1", "317")] });
+  expect(localStorage.getItem("turnwise/own-cycles")).toBeNull();
+  ownRecord.put([entry("c1", "317")]);
   dispatchEvent(new Event("pagehide"));
-  expect(readKeptOwn(localStorage.getItem("turnwise/own-cycles") ?? "")).toEqual([entry("c1", "317")]);
+  expect(JSON.parse(localStorage.getItem("turnwise/own-cycles") ?? "")).toEqual({ version: 1, cycles: [entry("c1", "317")] });
+  editOwn(() => [entry("c1", "318")]);
   const foreign = [entry("c7", "320")];
-  dispatchEvent(new StorageEvent("storage", { key: "turnwise/own-cycles", newValue: writeKeptOwn(foreign), storageArea: localStorage }));
+  fromOtherTab(JSON.stringify(ownRecord.write(foreign)));
   expect(list()).toEqual(foreign);
   expect(steps()).toBe(0);
-  useOwn.setState({ list: [] });
+  ownRecord.put([]);
   dispatchEvent(new Event("pagehide"));
   expect(localStorage.getItem("turnwise/own-cycles")).toBeNull();
-  stop();
 });

@@ -9,10 +9,9 @@ import { writeTableText } from "../../program/tools/tool-table-text.ts";
 import { onHistoryKey } from "../../app/document/history.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
 import { undo, useSteps } from "../../app/document/steps.ts";
-import { readKept, startTools, writeKept } from "../../app/records/keep-tools.ts";
 import { showTools, usePlace } from "../../app/place/place.ts";
 import { showToolNumber } from "../../app/document/tool-row.ts";
-import { toolsOnDevice, takeTools, useTools } from "../../app/document/tool-store.ts";
+import { editTools, toolRecord, toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { toolTable } from "../../app/document/work-tools.ts";
 import { ToolPage } from "./ToolPage.tsx";
 
@@ -34,7 +33,7 @@ beforeEach(() => {
   localStorage.removeItem("turnwise/tools");
   localStorage.removeItem("turnwise/tools/damaged");
   useNotices.setState({ notices: [] });
-  takeTools(shippedList);
+  toolRecord.replace(shippedList);
   usePlace.setState({ tools: { row: null, kind: "turning" } });
 });
 afterEach(cleanup);
@@ -148,46 +147,47 @@ test("the row of a tool is opened by its number", () => {
 
 test("what is kept comes back; the shipped table is not kept, so that it can be a better one later", () => {
   const changed = list().map((entry) => (entry.id === "r2" ? { ...entry, cells: { ...entry.cells, RS: "abc" } } : entry));
-  expect(readKept(writeKept(changed) ?? "")).toEqual(changed);
-  expect(writeKept(shippedList)).toBeNull();
-  for (const damaged of [
-    "",
-    "{",
-    "[]",
-    '{"version":3,"rows":[]}',
-    '{"version":1,"rows":[{"id":"a","cells":{"RS":1}}]}',
-    '{"version":1,"rows":[{"id":"a","cells":{}},{"id":"a","cells":{}}]}',
-  ])
-    expect(readKept(damaged)).toBeNull();
-  expect(readKept('{"version":1,"rows":[]}')).toEqual([]);
+  expect(toolRecord.read(toolRecord.write(changed))).toEqual(changed);
+  for (const damaged of [undefined, [], { version: 3, rows: [] }, { version: 0, rows: [] }, { rows: [] }, {
+    version: 1,
+    rows: [{ id: "a", cells: { RS: 1 } }],
+  }, { version: 1, rows: [{ id: "a", cells: {} }, { id: "a", cells: {} }] }])
+    expect(toolRecord.read(damaged)).toBeNull();
+  expect(toolRecord.read({ version: 1, rows: [] })).toEqual([]);
   const bare = shippedList.map(({ id, cells: { width: _w, length: _l, offsetZ: _z, offsetX: _x, axis: _a, head: _h, ...cells } }) => ({
     id,
     cells,
   }));
   const [first, second, ...others] = bare;
   const older = [first, { ...second, cells: { ...second?.cells, RS: "0.85" } }, ...others];
-  const [one, two, ...rest] = readKept(JSON.stringify({ version: 1, rows: older })) ?? [];
+  const [one, two, ...rest] = toolRecord.read({ version: 1, rows: older }) ?? [];
   expect([one, ...rest]).toEqual([shippedList[0], ...shippedList.slice(2)]);
   expect(two).toEqual(older[1]);
-  expect(readKept(JSON.stringify({ version: 2, rows: older }))).toEqual(older);
+  expect(toolRecord.read({ version: 2, rows: older })).toEqual(older);
 });
 
 test("changes are kept on the device, damaged tables are set aside, other tabs are followed", () => {
+  const fromOtherTab = (newValue: string) =>
+    dispatchEvent(new StorageEvent("storage", { key: "turnwise/tools", newValue, storageArea: localStorage }));
   localStorage.setItem("turnwise/tools", "{broken");
-  const stop = startTools();
+  fromOtherTab("{broken");
   expect(useNotices.getState().notices).toEqual(["toolsDamaged"]);
   expect(localStorage.getItem("turnwise/tools/damaged")).toBe("{broken");
+  expect(localStorage.getItem("turnwise/tools")).toBeNull();
   expect(list()).toEqual(shippedList);
   const changed = shippedList.slice(0, 3);
-  useTools.setState({ list: changed });
+  toolRecord.put(changed);
   dispatchEvent(new Event("pagehide"));
-  expect(readKept(localStorage.getItem("turnwise/tools") ?? "")).toEqual(changed);
+  expect(toolRecord.read(JSON.parse(localStorage.getItem("turnwise/tools") ?? ""))).toEqual(changed);
+  editTools((rows) => rows.slice(0, 2));
   const foreign = shippedList.slice(0, 5);
-  dispatchEvent(new StorageEvent("storage", { key: "turnwise/tools", newValue: writeKept(foreign), storageArea: localStorage }));
+  fromOtherTab(JSON.stringify(toolRecord.write(foreign)));
   expect(list()).toEqual(foreign);
   expect(steps()).toBe(0);
-  stop();
   expect(toolsOnDevice(list()).table.tools).toEqual(shippedTools.slice(0, 5));
+  toolRecord.put(shippedList);
+  dispatchEvent(new Event("pagehide"));
+  expect(localStorage.getItem("turnwise/tools")).toBeNull();
 });
 
 test("a drill shows only the columns that it has, stands among the milling tools, and gives programs its point", async () => {
@@ -261,12 +261,12 @@ test("a code that is not covered says so, one that contradicts the row too, and 
 test("the file that tools came from is kept on the device once, with the line of each", () => {
   const origin = tableOrigin("T.TRN", "BEGIN T.TRN MM\r\nträger", "windows-1252");
   const kept = shippedList.map((entry, at) => (at < 2 ? { ...entry, line: { origin, at: at + 2 } } : entry));
-  const text = writeKept(kept) ?? "";
+  const text = JSON.stringify(toolRecord.write(kept));
   expect(text.split("träger")).toHaveLength(2);
-  const read = readKept(text);
+  const read = toolRecord.read(JSON.parse(text));
   expect(read).toEqual(kept);
   expect(read?.[1]?.line?.origin.text).toBe(origin.text);
   expect(JSON.stringify(read)).not.toContain("träger");
   const apart = JSON.parse(JSON.stringify(kept)) as typeof kept;
-  expect(readKept(writeKept(apart) ?? "")).toEqual(apart.map(({ id, cells }) => ({ id, cells })));
+  expect(toolRecord.read(toolRecord.write(apart))).toEqual(apart.map(({ id, cells }) => ({ id, cells })));
 });

@@ -6,24 +6,18 @@ import { Message } from "../../app/base/Message.tsx";
 import type { ReadArchive } from "../../app/records/archive.ts";
 import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
 import { endBringing, type Bringing } from "../../app/records/bring-in-place.ts";
-import { bringsCourse } from "./bring-course.ts";
-import { missingOwn, missingTools, statesOf, tablesHere, takeArchive, type ArchivedState, type TableChoice } from "./take-archive.ts";
+import { BOXES, TABLES } from "../../app/records/parts.ts";
+import { boxOffer, FIRST_CHOICES, statesOf, tableOffer, takeArchive, type ArchivedState, type GroupChoice } from "./take-archive.ts";
 import { useDeviceTexts } from "../../app/base/use-device-texts.ts";
 import { useModal } from "../../app/base/use-modal.ts";
 import "./works.css";
 
 /** What is done with a table of the file: mine stays, takes what it does not have, or gives way. */
-function TableWays({ name, missing, choice, t, onChoose }: { readonly name: string; readonly missing: number | null;
-  readonly choice: TableChoice; readonly t: DeviceTexts["bringIn"]; readonly onChoose: (choice: TableChoice) => void })
+function TableWays({ name, missing, choice, t, onChoose }: { readonly name: string; readonly missing: number; readonly choice: GroupChoice;
+  readonly t: DeviceTexts["bringIn"]; readonly onChoose: (choice: GroupChoice) => void })
 {
   const id = useId();
-  if (missing === null)
-    return (
-      <p>
-        {name} · <span className="soft">{t.sameTable}</span>
-      </p>
-    );
-  const ways: readonly (readonly [TableChoice, string])[] = [
+  const ways: readonly (readonly [GroupChoice, string])[] = [
     ["keep", t.keep],
     ...(missing > 0 ? [["missing", t.missing(missing)] as const] : []),
     ["replace", t.replace],
@@ -41,6 +35,16 @@ function TableWays({ name, missing, choice, t, onChoose }: { readonly name: stri
   );
 }
 
+function SameAsHere({ name, t }: { readonly name: string; readonly t: DeviceTexts["bringIn"] }) {
+  return (
+    <p>
+      {name} · <span className="soft">{t.sameTable}</span>
+    </p>
+  );
+}
+
+const BOX_NAMES = Object.keys(BOXES) as readonly (keyof typeof BOXES)[];
+
 /** What a file holds, and what of it is taken. */
 function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readonly t: DeviceTexts["bringIn"];
   readonly onDone: (sentences: readonly string[]) => void })
@@ -49,29 +53,21 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
   const { works: list } = useDeviceTexts();
   const [states, setStates] = useState<readonly ArchivedState[] | null>(null);
   const [without, leave] = useState<ReadonlySet<number>>(new Set());
-  const [tools, chooseTools] = useState<TableChoice>("keep");
-  const [own, chooseOwn] = useState<TableChoice>("keep");
-  const [settings, takeSettings] = useState(false);
-  const [course, takeCourse] = useState(true);
+  const [choices, choose] = useState(FIRST_CHOICES);
   const [busy, work] = useState(false);
-  const [here] = useState(tablesHere);
+  const [tables] = useState(() => TABLES.map((group) => ({ group, offer: tableOffer(archive, group) })));
+  const [boxes] = useState(() => BOX_NAMES.map((group) => ({ group, offer: boxOffer(archive, group) })));
   useEffect(() => void statesOf(archive.works).then(setStates), [archive]);
   if (!states) return null;
-  const toolsMissing = archive.tools && missingTools(archive.tools, here.tools);
-  const ownMissing = archive.own && missingOwn(archive.own, here.own);
-  const hasCourse = bringsCourse(archive, here.course);
   const isNew = (i: number) => states[i] !== "same";
   const chosen = archive.works.filter((_, i) => isNew(i) && !without.has(i));
   const fresh = archive.works.filter((_, i) => isNew(i)).length;
-  const nothing = chosen.length === 0 && tools === "keep" && own === "keep" && !settings && !(hasCourse && course);
+  const offered = [...tables.filter(({ offer }) => offer && offer.missing !== null), ...boxes.filter(({ offer }) => offer)];
+  const nothing = chosen.length === 0 && offered.every(({ group }) => choices[group] === "keep");
   const take = async () => {
     work(true);
-    const { kept, full } = await takeArchive(archive, { works: chosen, tools, own, settings, course: hasCourse && course });
-    onDone([
-      ...(chosen.length > 0 ? [t.done(kept)] : []),
-      ...(full > 0 ? [t.notKept(full)] : []),
-      ...(tools !== "keep" || own !== "keep" || (hasCourse && course) ? [t.doneBeside] : []),
-    ]);
+    const { kept, full, undone } = await takeArchive(archive, chosen, choices);
+    onDone([...(chosen.length > 0 ? [t.done(kept)] : []), ...(full > 0 ? [t.notKept(full)] : []), ...(undone ? [t.doneBeside] : [])]);
   };
   return (
     <>
@@ -107,33 +103,26 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
           </ul>
         </fieldset>
       )}
-      {archive.tools && (
-        <TableWays name={t.tools(archive.tools.length)} missing={toolsMissing?.length ?? null} choice={tools} t={t}
-          onChoose={chooseTools} />
+      {tables.map(({ group, offer }) =>
+        offer && (offer.missing === null
+          ? <SameAsHere key={group} name={t[group](offer.rows)} t={t} />
+          : (
+            <TableWays key={group} name={t[group](offer.rows)} missing={offer.missing} choice={choices[group]} t={t} onChoose={(choice) =>
+              choose({ ...choices, [group]: choice })} />
+          ))
       )}
-      {archive.own && archive.own.length > 0 && (
-        <TableWays name={t.own(archive.own.length)} missing={ownMissing?.length ?? null} choice={own} t={t} onChoose={chooseOwn} />
-      )}
-      {archive.course && !hasCourse && (
-        <p>
-          {t.course} · <span className="soft">{t.sameTable}</span>
-        </p>
-      )}
-      {hasCourse && (
-        <label className="bring-settings">
-          <input type="checkbox" checked={course} onChange={() => takeCourse(!course)} />
-          <span>
-            {t.course} <span className="small soft">{t.courseLong}</span>
-          </span>
-        </label>
-      )}
-      {archive.settings && (
-        <label className="bring-settings">
-          <input type="checkbox" checked={settings} onChange={() => takeSettings(!settings)} />
-          <span>
-            {t.settings} <span className="small soft">{t.settingsLong}</span>
-          </span>
-        </label>
+      {boxes.map(({ group, offer }) =>
+        offer !== null && (offer
+          ? (
+            <label key={group} className="bring-settings">
+              <input type="checkbox" checked={choices[group] !== "keep"} onChange={() =>
+                choose({ ...choices, [group]: choices[group] === "keep" ? "missing" : "keep" })} />
+              <span>
+                {t[group]} <span className="small soft">{t[`${group}Long`]}</span>
+              </span>
+            </label>
+          )
+          : <SameAsHere key={group} name={t[group]} t={t} />)
       )}
       {archive.unread.length > 0 && (
         <Message tone="warning">{t.unread(archive.unread.length, archive.unread.slice(0, 12).join(", "))}</Message>

@@ -1,18 +1,10 @@
 import { time } from "../../app/base/clock.ts";
 import { downloadBytes } from "../../app/base/download.ts";
-import { isEmptyProgress } from "../../course/progress.ts";
-import { startLearning, useLearning } from "../../app/records/course/progress.ts";
-import { startGathered, useGathered } from "../../app/records/course/gathered.ts";
-import { startForms, useForms } from "../../app/records/course/kept-form.ts";
-import { startTaught, useTaught } from "../../app/records/course/taught.ts";
-import { countWork, startWorkingTime, useWorked } from "../../app/records/course/working-time.ts";
-import { useOwn } from "../../app/document/own-store.ts";
 import { ARCHIVE_LIMITS, writeArchive, type ArchivedWork } from "../../app/records/archive.ts";
 import { findWorks, readWork } from "../../app/records/device.ts";
 import { newestState, useKeeping } from "../../app/records/keep.ts";
-import { useSettings } from "../../app/base/settings/settings.ts";
+import { eachPart } from "../../app/records/parts.ts";
 import { handOver } from "../../app/document/store.ts";
-import { useTools } from "../../app/document/tool-store.ts";
 
 /** What one file holds at most, bytes, so that it can be brought in again: what is packed has each program twice. */
 const LARGEST = ARCHIVE_LIMITS.unpacked / 4;
@@ -73,29 +65,12 @@ export async function saveWorks(works: readonly string[]): Promise<number> {
 }
 
 /**
- * Hands everything on this device to the downloads: works, tools, own cycles, settings, and all of the course. What the
- * device has not taken is in it too.
+ * Hands everything on this device to the downloads: works, and all parts that an archive has beside them. What the device has not taken
+ * is in it too.
  */
 export async function saveEverything(unkept: readonly string[]): Promise<{ readonly works: number; readonly files: number }> {
   handOver();
   const { works } = await findWorks();
   const all = [...new Set([...works.map(({ work }) => work), ...unkept])];
-  startLearning();
-  startTaught();
-  startForms();
-  startWorkingTime();
-  startGathered();
-  countWork();
-  const { list: course } = useLearning.getState();
-  const beside = {
-    tools: useTools.getState().list,
-    own: useOwn.getState().list,
-    settings: useSettings.getState(),
-    ...(!isEmptyProgress(course) && { course }),
-    taught: useTaught.getState().list,
-    forms: useForms.getState().list,
-    worked: useWorked.getState().list,
-    results: useGathered.getState().list,
-  };
-  return save(all, beside);
+  return save(all, eachPart((part) => part.here()));
 }

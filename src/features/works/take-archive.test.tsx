@@ -3,22 +3,21 @@ import { NO_PROGRESS, progressOfTask, withHint, withPass, withPlace } from "../.
 import { newParameter, type OwnEntry } from "../../program/edits/own-cycle.ts";
 import { usualTable, writeCuttingTable } from "../../program/tools/cutting-table.ts";
 import { shippedList } from "../../program/tools/tool-list.ts";
-import { startLearning, useLearning } from "../../app/records/course/progress.ts";
-import { takeOwn, useOwn } from "../../app/document/own-store.ts";
+import { useLearning } from "../../app/records/course/progress.ts";
+import { ownRecord, useOwn } from "../../app/document/own-store.ts";
 import { answerOf } from "../../course/judge/answer.ts";
 import { proposedTask } from "../../course/made/made-task.ts";
 import { RESULT_FORMAT } from "../../course/made/result.ts";
 import { useGathered } from "../../app/records/course/gathered.ts";
 import { useForms } from "../../app/records/course/kept-form.ts";
-import { useWorked } from "../../app/records/course/working-time.ts";
+import { workedRecord } from "../../app/records/course/working-time.ts";
 import type { ReadArchive } from "../../app/records/archive.ts";
 import { device, emptyDevice, someJob as job } from "../../app/records/fake-device.ts";
 import { refreshWorks } from "../../app/records/keep.ts";
-import { readSettings, useSettings } from "../../app/base/settings/settings.ts";
+import { firstSettings, useSettings } from "../../app/base/settings/settings.ts";
 import { forget, undo } from "../../app/document/steps.ts";
-import { takeTools, useTools } from "../../app/document/tool-store.ts";
-import { bringsCourse, bringsProgress, courseHere } from "./bring-course.ts";
-import { missingOwn, missingTools, statesOf, takeArchive } from "./take-archive.ts";
+import { toolRecord, useTools } from "../../app/document/tool-store.ts";
+import { boxOffer, FIRST_CHOICES, statesOf, tableOffer, takeArchive } from "./take-archive.ts";
 
 vi.mock("../../app/records/device.ts", () => import("../../app/records/fake-device.ts"));
 
@@ -29,7 +28,7 @@ const own = (id: string, number: string, name: string): OwnEntry => ({
   parameters: [newParameter("p1", { q: "Q1711", prompt: "LENGTH", kind: "length" })],
 });
 const row = (id: string, T: string, NAME: string) => ({ id, cells: { ...shippedList[0]?.cells, T, NAME } });
-const settings = { ...readSettings(null), xDown: true };
+const settings = { ...firstSettings(), xDown: true };
 const archive: ReadArchive = {
   works: [{ work: "same", savedAt: 41, job }, { work: "mine", savedAt: 42, job: { ...job, rapid: "4321" } }, {
     work: "",
@@ -47,14 +46,16 @@ const archive: ReadArchive = {
   unread: [],
   unreadParts: [],
 };
+const NOTHING = { ...FIRST_CHOICES, course: "keep" } as const;
+const COURSE = FIRST_CHOICES;
 const rested = () => new Promise((done) => setTimeout(done, 30));
 const named = () => [...device.works].map(([work, { job: kept }]) => [work, (kept as typeof job).name]);
 
 beforeEach(async () => {
   emptyDevice();
-  takeTools([row("r1", "1", "MINE 1"), row("r2", "2", "MINE 2")]);
-  takeOwn([own("c1", "1711", "MINE")]);
-  useSettings.setState(readSettings(null));
+  toolRecord.replace([row("r1", "1", "MINE 1"), row("r2", "2", "MINE 2")]);
+  ownRecord.replace([own("c1", "1711", "MINE")]);
+  useSettings.setState(firstSettings());
   forget();
   device.works.set("mine", { savedAt: 1, job });
   await refreshWorks();
@@ -66,7 +67,7 @@ test("works are told apart by what is in them, not by their names", async () => 
 
 test("works come beside those of the device, with the time they were changed, and undo takes them out again", async () => {
   const works = archive.works.slice(1);
-  expect(await takeArchive(archive, { works, tools: "keep", own: "keep", settings: false, course: false })).toEqual({ kept: 3, full: 0 });
+  expect(await takeArchive(archive, works, NOTHING)).toEqual({ kept: 3, full: 0, undone: false });
   expect(device.works.get("mine")).toEqual({ savedAt: 1, job });
   expect(device.works.get("free")).toEqual({ savedAt: 44, job: { ...job, name: "FREE" } });
   expect(named().map(([, name]) => name)).toEqual([job.name, job.name, "NEW", "FREE"]);
@@ -80,7 +81,7 @@ test("works come beside those of the device, with the time they were changed, an
 test("of tables the missing rows come, or all of them, each as one step", async () => {
   const names = () => useTools.getState().list.map(({ cells }) => cells.NAME);
   const cycles = () => useOwn.getState().list.map(({ name }) => name);
-  await takeArchive(archive, { works: [], tools: "missing", own: "missing", settings: true, course: false });
+  await takeArchive(archive, [], { ...NOTHING, tools: "missing", own: "missing", settings: "missing" });
   expect(names()).toEqual(["MINE 1", "MINE 2", "GROOVER"]);
   expect(cycles()).toEqual(["MINE", "SAW"]);
   expect(useSettings.getState().xDown).toBe(true);
@@ -88,19 +89,13 @@ test("of tables the missing rows come, or all of them, each as one step", async 
   expect([names().length, cycles().length]).toEqual([3, 1]);
   undo();
   expect(names()).toEqual(["MINE 1", "MINE 2"]);
-  await takeArchive(archive, { works: [], tools: "replace", own: "replace", settings: false, course: false });
+  await takeArchive(archive, [], { ...NOTHING, tools: "replace", own: "replace" });
   expect([names(), cycles()]).toEqual([["OTHER 1", "GROOVER"], ["OTHERS", "SAW"]]);
 });
 
 test("a machine comes with the settings; where none is brought, that of the device stays", async () => {
   const take = (machine: string) =>
-    takeArchive({ ...archive, settings: { ...settings, machine } }, {
-      works: [],
-      tools: "keep",
-      own: "keep",
-      settings: true,
-      course: false,
-    });
+    takeArchive({ ...archive, settings: { ...settings, machine } }, [], { ...NOTHING, settings: "missing" });
   useSettings.setState({ machine: "mine" });
   await take("");
   expect(useSettings.getState().machine).toBe("mine");
@@ -111,12 +106,9 @@ test("a machine comes with the settings; where none is brought, that of the devi
 test("cutting data come with the settings; where none are brought, the shop's own stay", async () => {
   const mine = writeCuttingTable({ ...usualTable, power: 7.3 }), theirs = writeCuttingTable({ ...usualTable, power: 18.9 });
   const take = (cutting: string, wanted: boolean) =>
-    takeArchive({ ...archive, settings: { ...settings, material: "brass", cutting } }, {
-      works: [],
-      tools: "keep",
-      own: "keep",
-      settings: wanted,
-      course: false,
+    takeArchive({ ...archive, settings: { ...settings, material: "brass", cutting } }, [], {
+      ...NOTHING,
+      settings: wanted ? "missing" : "keep",
     });
   const here = () => [useSettings.getState().material, useSettings.getState().cutting];
   useSettings.setState({ material: "16mncr5", cutting: mine });
@@ -129,30 +121,30 @@ test("cutting data come with the settings; where none are brought, the shop's ow
 });
 
 test("tables that are the same have nothing missing to take", () => {
-  expect(missingTools(useTools.getState().list, useTools.getState().list.map((each) => ({ ...each, id: `${each.id}x` })))).toBeNull();
-  expect(missingTools(archive.tools ?? [], useTools.getState().list)?.map(({ id }) => id)).toEqual(["x"]);
-  expect(missingOwn(useOwn.getState().list, useOwn.getState().list)).toBeNull();
+  const [tools, own] = [toolRecord.now(), ownRecord.now()];
+  expect(tableOffer({ ...archive, tools: tools.map((each) => ({ ...each, id: `${each.id}x` })) }, "tools")).toEqual({
+    rows: 2,
+    missing: null,
+  });
+  expect(tableOffer(archive, "tools")).toEqual({ rows: 2, missing: 1 });
+  expect(tableOffer({ ...archive, own }, "own")).toEqual({ rows: 1, missing: null });
+  expect([tableOffer({ ...archive, own: [] }, "own"), tableOffer({ ...archive, tools: null }, "tools")]).toEqual([null, null]);
+  expect(tableOffer({ ...archive, tools: [] }, "tools")).toEqual({ rows: 0, missing: 0 });
 });
 
 test("what finds no room is counted, and nothing else is changed", async () => {
   device.refuses = "full";
-  expect(await takeArchive(archive, { works: archive.works.slice(2), tools: "keep", own: "keep", settings: false, course: false })).toEqual(
-    {
-      kept: 0,
-      full: 2,
-    },
-  );
+  expect(await takeArchive(archive, archive.works.slice(2), NOTHING)).toEqual({ kept: 0, full: 2, undone: false });
   expect(named()).toEqual([["mine", job.name]]);
 });
 
 test("what was reached in the course elsewhere comes beside what was reached here, and undo takes it back", async () => {
   const hinted = withPass(withHint(NO_PROGRESS, "l03-thicker-bar", 1), "l03-thicker-bar", { when: 3, seconds: 37.2 });
   const mine = withPass(hinted, "l01-sawn-long", { when: 4 });
-  startLearning();
   useLearning.setState({ list: mine });
-  const { course } = archive;
-  expect(course && [bringsProgress(course, mine), bringsProgress(course, course)]).toEqual([true, false]);
-  await takeArchive(archive, { works: [], tools: "keep", own: "keep", settings: false, course: true });
+  expect([boxOffer(archive, "course"), boxOffer({ ...archive, course: mine }, "course"), boxOffer({ ...archive, course: null }, "course")])
+    .toEqual([true, false, null]);
+  expect((await takeArchive(archive, [], COURSE)).undone).toBe(true);
   const { list } = useLearning.getState();
   expect(progressOfTask(list, "l03-thicker-bar")).toMatchObject({ passed: { way: "alone", when: 7 }, seconds: 37.2, hints: 1 });
   expect([progressOfTask(list, "l01-sawn-long").passed?.when, list.last?.page]).toEqual([4, 3]);
@@ -172,9 +164,8 @@ test("forms, working times and results of learners come beside those that are he
     result: { format: RESULT_FORMAT as typeof RESULT_FORMAT, name: "Ada", made: 1_795_395_781_123, tasks: [] },
   };
   const zoe = { file: "z.json", result: { ...ada.result, name: "Zoé" } };
-  courseHere();
   useForms.setState({ list: { "task bush": mine } });
-  useWorked.setState({ list: { bush: { ms: 7_319, steps: 11 } } });
+  workedRecord.put({ bush: { ms: 7_319, steps: 11 } });
   useGathered.setState({ list: [ada] });
   // The work "mine" is here already: the one that is brought is called otherwise.
   const brought = {
@@ -184,15 +175,17 @@ test("forms, working times and results of learners come beside those that are he
     worked: { bush: { ms: 3_001, steps: 17 }, disc: { ms: 5, steps: 1 } },
     results: [zoe, ada],
   };
-  expect([bringsCourse(brought, courseHere()), bringsCourse({ ...brought, forms: null, worked: null, results: [ada] }, courseHere())])
-    .toEqual([true, false]);
+  expect([boxOffer(brought, "course"), boxOffer({ ...brought, forms: null, worked: null, results: [ada] }, "course")]).toEqual([
+    true,
+    false,
+  ]);
   const works = [{ work: "mine", savedAt: 3, job: { ...job, name: "OTHER" } }];
-  await takeArchive(brought, { works, tools: "keep", own: "keep", settings: false, course: true });
+  await takeArchive(brought, works, COURSE);
   const other = [...device.works].find(([, { job: kept }]) => (kept as typeof job).name === "OTHER")?.[0] ?? "";
   expect(useForms.getState().list).toEqual({ [`work ${other}`]: form, "task bush": mine });
-  expect(useWorked.getState().list).toEqual({ bush: { ms: 7_319, steps: 17 }, disc: { ms: 5, steps: 1 } });
+  expect(workedRecord.now()).toEqual({ bush: { ms: 7_319, steps: 17 }, disc: { ms: 5, steps: 1 } });
   expect(useGathered.getState().list).toEqual([ada, zoe]);
   undo();
-  expect(courseHere()).toMatchObject({ forms: { "task bush": mine }, worked: { bush: { ms: 7_319, steps: 11 } }, results: [ada] });
+  expect([workedRecord.now(), useGathered.getState().list]).toEqual([{ bush: { ms: 7_319, steps: 11 } }, [ada]]);
   expect(Object.keys(useForms.getState().list)).toEqual(["task bush"]);
 });

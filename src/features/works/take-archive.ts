@@ -1,17 +1,11 @@
-import { readOwn, type OwnEntry } from "../../program/edits/own-cycle.ts";
-import { mergedLibrary, type OwnList } from "../../program/edits/own-library.ts";
-import { mergedTools, sameList, type ToolList } from "../../program/tools/tool-list.ts";
 import { drawnId } from "../../app/base/chance.ts";
-import { editOwn, useOwn } from "../../app/document/own-store.ts";
-import { writeKeptOwn } from "../../app/records/keep-own.ts";
+import { asOneStep, useSteps } from "../../app/document/steps.ts";
 import type { ArchivedWork, ReadArchive } from "../../app/records/archive.ts";
 import { readWork } from "../../app/records/device.ts";
 import { fingerprint } from "../../app/records/difference.ts";
 import { useKeeping } from "../../app/records/keep.ts";
+import { BOXES, PART_NAMES, PARTS, TABLES, type Group, type Part } from "../../app/records/parts.ts";
 import { addWorks } from "../../app/records/works.ts";
-import { changeLanguage, changeSettings } from "../../app/base/settings/settings.ts";
-import { editTools, toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
-import { courseHere, takeCourse } from "./bring-course.ts";
 
 /** What becomes of a work that is brought in: it is new, here already, or comes beside another one of its name. */
 export type ArchivedState = "fresh" | "same" | "beside";
@@ -37,62 +31,82 @@ export async function statesOf(works: readonly ArchivedWork[]): Promise<readonly
   }));
 }
 
-/** What a table of the device does with one that is brought in. */
-export type TableChoice = "keep" | "missing" | "replace";
+/** What becomes of a group of parts: it stays as it is here, takes what it does not have, or gives way to what is brought. */
+export type GroupChoice = "keep" | "missing" | "replace";
+export type GroupChoices = Readonly<Record<Group, GroupChoice>>;
 
-/** Rows of a table whose numbers this device does not have; null where both tables are the same. */
-export function missingTools(brought: ToolList, mine: ToolList): ToolList | null {
-  if (sameList(brought, mine)) return null;
-  const [theirs, ours] = [toolsOnDevice(brought).rows, toolsOnDevice(mine).rows];
-  const taken = new Set(mine.map(({ id }) => ours.get(id)?.number ?? null));
-  return brought.filter(({ id }) => !taken.has(theirs.get(id)?.number ?? null));
+/** What is chosen to begin with. */
+export const FIRST_CHOICES: GroupChoices = {
+  ...Object.fromEntries(Object.entries(BOXES).map(([group, ticked]) => [group, ticked ? "missing" : "keep"])),
+  ...Object.fromEntries(TABLES.map((group) => [group, "keep"])),
+} as GroupChoices;
+
+const NO_NAMES: ReadonlyMap<string, string> = new Map();
+
+/** The parts of a group that an archive brings. */
+const broughtOf = (archive: ReadArchive, group: Group): readonly (readonly [Part<unknown>, unknown])[] =>
+  PART_NAMES.flatMap((name) => {
+    const part = PARTS[name], brought = archive[name];
+    return part.group !== group || brought === null || part.isEmpty(brought) ? [] : [[part, brought] as const];
+  });
+
+/** What an archive brings of a table: its rows, and how many of them this device does not have; null where both are the same. */
+export interface TableOffer {
+  readonly rows: number;
+  readonly missing: number | null;
 }
 
-/** The same of own cycles. */
-export function missingOwn(brought: OwnList, mine: OwnList): OwnList | null {
-  if (writeKeptOwn(brought) === writeKeptOwn(mine)) return null;
-  const numberOf = (entry: OwnEntry) => readOwn(entry).number ?? entry.number.trim();
-  const taken = new Set(mine.map(numberOf));
-  return brought.filter((entry) => !taken.has(numberOf(entry)));
+const rowsOf = (table: unknown): number => (table as readonly unknown[]).length;
+
+/** Null where the archive has no such table. */
+export function tableOffer(archive: ReadArchive, table: (typeof TABLES)[number]): TableOffer | null {
+  const [only] = broughtOf(archive, table);
+  if (!only) return null;
+  const [part, brought] = only, mine = part.here();
+  const missing = part.isSame(brought, mine) ? null : rowsOf(part.merge(mine, brought, NO_NAMES)) - rowsOf(mine);
+  return { rows: rowsOf(brought), missing };
 }
 
-/** What is taken of an archive. */
-export interface ArchiveChoice {
-  readonly works: readonly ArchivedWork[];
-  readonly tools: TableChoice;
-  readonly own: TableChoice;
-  readonly settings: boolean;
-  /** What was reached in the course, tasks, forms and results; what is better here stays. */
-  readonly course: boolean;
+/**
+ * Whether an archive brings anything of a group that is not here; null where it has nothing of it at all. What is not ticked to begin with
+ * is offered in any case.
+ */
+export function boxOffer(archive: ReadArchive, box: keyof typeof BOXES): boolean | null {
+  const brought = broughtOf(archive, box);
+  if (brought.length === 0) return null;
+  return !BOXES[box] || brought.some(([part, value]) => {
+    const mine = part.here();
+    return !part.isSame(part.merge(mine, value, NO_NAMES), mine);
+  });
 }
 
-/** Takes what was chosen; nothing on the device is written over. Says how many works came, and how many found no room. */
-export async function takeArchive(archive: ReadArchive, choice: ArchiveChoice): Promise<{ readonly kept: number; readonly full: number }> {
+/** What came of an archive: works that were kept, works that found no room, and whether undo takes back what came beside them. */
+interface Taken {
+  readonly kept: number;
+  readonly full: number;
+  readonly undone: boolean;
+}
+
+/** Takes what was chosen, each group as one step; no work on the device is written over. */
+export async function takeArchive(archive: ReadArchive, works: readonly ArchivedWork[], choices: GroupChoices): Promise<Taken> {
   const here = new Set(useKeeping.getState().works.map(({ work }) => work));
-  const lying = choice.works.map((each) => {
+  const lying = works.map((each) => {
     const free = each.work !== "" && !here.has(each.work);
     const work = free ? each.work : drawnId();
     here.add(work);
     return { ...each, work };
   });
   const kept = await addWorks(lying);
-  const { tools, own, settings } = archive;
-  if (tools && choice.tools === "replace") editTools(() => tools);
-  if (tools && choice.tools === "missing")
-    editTools((list) => mergedTools(list, (missingTools(tools, list) ?? []).map(({ cells }) => cells)).list);
-  if (own && choice.own === "replace") editOwn(() => own);
-  if (own && choice.own === "missing") editOwn((list) => mergedLibrary(list, missingOwn(own, list) ?? []).list);
-  if (choice.course) takeCourse(archive, new Map(choice.works.map(({ work }, i) => [work, lying[i]?.work ?? work])));
-  if (settings && choice.settings) {
-    const { language, cutting, machine, ...others } = settings;
-    // Somebody who goes by the shipped cutting data, or by no machine, has none to bring: the shop's own stay.
-    changeSettings({ ...others, ...(cutting !== "" && { cutting }), ...(machine !== "" && { machine }) });
-    await changeLanguage(language);
+  const nameHere = new Map(works.map(({ work }, i) => [work, lying[i]?.work ?? work]));
+  const { past } = useSteps.getState();
+  for (const [group, choice] of Object.entries(choices) as [Group, GroupChoice][]) {
+    if (choice === "keep") continue;
+    const taken = asOneStep(() =>
+      broughtOf(archive, group).map(([part, brought]) =>
+        part.take(choice === "replace" ? brought : part.merge(part.here(), brought, nameHere))
+      )
+    );
+    await Promise.all(taken);
   }
-  return { kept, full: lying.length - kept };
-}
-
-/** The tables of this device, for what is said of those in an archive. */
-export function tablesHere() {
-  return { tools: useTools.getState().list, own: useOwn.getState().list, course: courseHere() };
+  return { kept, full: lying.length - kept, undone: useSteps.getState().past !== past };
 }

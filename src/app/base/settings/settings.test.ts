@@ -1,20 +1,20 @@
 import { expect, test } from "vitest";
 import { ISO_GROUPS, readCuttingTable, writeCuttingTable } from "../../../program/tools/cutting-table.ts";
-import { readSettings } from "./settings.ts";
+import { firstSettings, readSettings } from "./settings.ts";
 
 test("settings survive, and what does not fit keeps its first value", () => {
-  const first = readSettings(null);
-  expect(readSettings(JSON.stringify({ ...first, language: "fr", theme: "dark", xDown: true }))).toEqual({
+  const first = firstSettings();
+  expect(readSettings({ ...first, language: "fr", theme: "dark", xDown: true })).toEqual({
     ...first,
     language: "fr",
     theme: "dark",
     xDown: true,
   });
-  expect(readSettings(JSON.stringify({ language: "xx", theme: 3, programFolded: "yes", other: 1 }))).toEqual(first);
+  expect(readSettings({ language: "xx", theme: 3, programFolded: "yes", other: 1 })).toEqual(first);
+  expect(readSettings({ fullSection: true })).toEqual({ ...first, section: "full" });
 });
 
-test.each(["", "{", "null", "[]", "7"])("damaged settings %j are the first ones",
-  (text) => expect(readSettings(text)).toEqual(readSettings(null)));
+test.each([undefined, null, [], 7])("damaged settings %j are none", (raw) => expect(readSettings(raw)).toBeNull());
 
 test("the largest cutting data that are taken are kept as well", () => {
   // Names in characters that JSON writes with six, and numbers with all their digits.
@@ -30,5 +30,5 @@ test("the largest cutting data that are taken are kept as well", () => {
   }));
   const cutting = writeCuttingTable({ power: 7.3, materials });
   expect(readCuttingTable(cutting)?.materials).toHaveLength(100);
-  expect(readSettings(JSON.stringify({ ...readSettings(null), cutting })).cutting).toBe(cutting);
+  expect(readSettings({ ...firstSettings(), cutting })?.cutting).toBe(cutting);
 });

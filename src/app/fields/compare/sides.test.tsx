@@ -4,7 +4,7 @@ import { exampleJob, UNSET } from "../../../program/job/job.ts";
 import { shippedList } from "../../../program/tools/tool-list.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
 import { begin, edit, setHandedOn } from "../../document/store.ts";
-import { takeTools } from "../../document/tool-store.ts";
+import { toolRecord } from "../../document/tool-store.ts";
 import { shopOf } from "../../document/work-tools.ts";
 import { asProgram, openedProgram, presentProgram, withOtherText } from "./sides.ts";
 
@@ -15,12 +15,12 @@ const radius = (work: Parameters<typeof shopOf>[0]) => shopOf(work).table.tools[
 
 afterEach(() => {
   begin(null, null);
-  takeTools(shippedList);
+  toolRecord.replace(shippedList);
   changeSettings({ control: "TNC 640" });
 });
 
 test("a kept work is compared with what it brings along itself, else with what is set on the device", () => {
-  takeTools(withRs("0.7"));
+  toolRecord.replace(withRs("0.7"));
   begin({ ...exampleJob(cycle), tools: withRs("0.3") }, "open");
   const carried = asProgram({ ...exampleJob(cycle), tools: withRs("0.9"), control: "TNC7" });
   expect([radius(carried), shopOf(carried).control]).toEqual([0.9, "TNC7"]);

@@ -12,7 +12,7 @@ import { openPrompt } from "../../place/place.ts";
 import { changeSettings } from "../../base/settings/settings.ts";
 import { readingOfOwn } from "../blocks/own-block.ts";
 import { libraryOf } from "../../document/own-reading.ts";
-import { takeOwn, useOwn } from "../../document/own-store.ts";
+import { ownRecord, useOwn } from "../../document/own-store.ts";
 import { OwnDialog } from "./OwnDialog.tsx";
 
 const t = texts("en");
@@ -25,7 +25,7 @@ const reading = (typed: Record<string, string> = {}) => readingOfOwn(program, 2,
 
 beforeEach(() => {
   changeSettings({ language: "en" });
-  takeOwn([{
+  ownRecord.replace([{
     id: "c1",
     number: "317",
     name: "BAR PULLER",
@@ -51,7 +51,7 @@ test("a block is read by its description: what is missing, and what the text has
   expect(reading({ Q1711: "Q5", Q1712: "1" })?.issues).toEqual([]);
   expect(reading({ Q1711: "Q5/10", Q1712: "2" })?.issues.map(({ code }) => code)).toEqual(["outOfRange", "notAChoice"]);
   expect(readingOfOwn(program, 1, {}, cycles())).toBeNull();
-  takeOwn([]);
+  ownRecord.replace([]);
   expect(reading()).toBeNull();
 });
 

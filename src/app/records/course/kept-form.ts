@@ -1,67 +1,58 @@
-import { create } from "zustand";
-import type { MadeTask } from "../../../course/made/made-form.ts";
+import { z } from "zod/mini";
+import { formShape, type MadeTask } from "../../../course/made/made-form.ts";
 import { time } from "../../base/clock.ts";
-import { keepTable } from "../../base/device-table.ts";
-import { noteChange } from "../../document/steps.ts";
-import { MOST_FORMS, readForms, writeForms, type KeptForm, type KeptForms } from "./form-list.ts";
+import { record } from "../../base/record.ts";
+
+/** A form as it was left, a mark of the program that it was filled in from, and when, ms since 1970. */
+export interface KeptForm {
+  readonly form: MadeTask;
+  readonly print: string;
+  readonly at: number;
+}
+/** Forms by what they are of: a work of this device, or a kept task that is being changed. */
+export type KeptForms = Readonly<Record<string, KeptForm>>;
+
+/** Most forms that are kept; the oldest give way. */
+const MOST = 40;
+const form = z.object({ form: formShape, print: z.string(), at: z.number() });
+const NONE: KeptForms = {};
 
 /** The forms that are filled in on this device: one that is closed, or lost with its page, loses nothing. */
-export const useForms = create<{ readonly list: KeptForms; readonly isKept: boolean }>(() => ({ list: {}, isKept: true }));
+export const formRecord = record({
+  key: "course-forms",
+  version: 1,
+  schema: z.object({ forms: z.record(z.string().check(z.maxLength(200)), form) }),
+  from: ({ forms }): KeptForms => forms,
+  to: (forms) => ({ forms }),
+  first: NONE,
+});
+export const useForms = formRecord.use;
 
-const KEY = "turnwise/course-forms";
-let keeps = false;
-
-/** Reads the kept forms and keeps each change from now on. Asked again it does nothing. */
-export function startForms(): void {
-  if (keeps) return;
-  keeps = true;
-  keepTable<KeptForms>({
-    key: KEY,
-    aside: `${KEY}/damaged`,
-    store: useForms,
-    first: {},
-    isSame: (one, other) => writeForms(one) === writeForms(other),
-    write: writeForms,
-    read: readForms,
-    take: put,
-    damaged: () => undefined,
-    notKept: () => useForms.setState({ isKept: false }),
-  });
-}
-
-export const keyOfWork = (work: string): string => `work ${work}`;
+const OF_WORK = "work ";
+export const keyOfWork = (work: string): string => OF_WORK + work;
 export const keyOfTask = (id: string): string => `task ${id}`;
 
 export const keptForm = (key: string): KeptForm | undefined => {
-  const { list } = useForms.getState();
+  const list = formRecord.now();
   return Object.hasOwn(list, key) ? list[key] : undefined;
 };
 
 const newest = (list: KeptForms): KeptForms =>
-  Object.fromEntries(Object.entries(list).toSorted(([, a], [, b]) => b.at - a.at).slice(0, MOST_FORMS));
+  Object.fromEntries(Object.entries(list).toSorted(([, a], [, b]) => b.at - a.at).slice(0, MOST));
 
 /** Keeps a form as it stands. */
-export function keepForm(key: string, form: MadeTask, print: string): void {
-  useForms.setState(({ list }) => ({ list: newest({ ...list, [key]: { form, print, at: time() } }) }));
-}
+export const keepForm = (key: string, form: MadeTask, print: string): void =>
+  formRecord.put(newest({ ...formRecord.now(), [key]: { form, print, at: time() } }));
 
 /** Lets a form go: what it was for is done. */
 export const forgetForm = (key: string): void =>
-  useForms.setState(({ list }) => ({ list: Object.fromEntries(Object.entries(list).filter(([other]) => other !== key)) }));
+  formRecord.put(Object.fromEntries(Object.entries(formRecord.now()).filter(([other]) => other !== key)));
 
-const put = (list: KeptForms): void => useForms.setState({ list });
-
-/** Forms of another device that this one does not have. `nameHere`: what a work is called here that had another name there. */
-export const missingForms = (brought: KeptForms, mine: KeptForms, nameHere: ReadonlyMap<string, string> = new Map()): KeptForms =>
-  Object.fromEntries(
-    Object.entries(brought).map(([key, form]) => [nameHere.get(key) ?? key, form] as const).filter(([key]) => !Object.hasOwn(mine, key)),
-  );
-
-/** Takes forms of another device beside those that are here, as one step. */
-export function bringForms(brought: KeptForms, nameHere: ReadonlyMap<string, string>): void {
-  const { list } = useForms.getState(), fresh = missingForms(brought, list, nameHere);
-  if (Object.keys(fresh).length === 0) return;
-  const next = newest({ ...fresh, ...list });
-  put(next);
-  noteChange(put, list, next);
+/** Forms of another device that are not here beside those that are. `nameHere`: what a work is called here that had another name there. */
+export function mergedForms(mine: KeptForms, brought: KeptForms, nameHere: ReadonlyMap<string, string>): KeptForms {
+  const keyHere = (key: string) => {
+    const name = key.startsWith(OF_WORK) ? nameHere.get(key.slice(OF_WORK.length)) : undefined;
+    return name === undefined ? key : keyOfWork(name);
+  };
+  return newest({ ...Object.fromEntries(Object.entries(brought).map(([key, form]) => [keyHere(key), form])), ...mine });
 }

@@ -1,7 +1,7 @@
 import { create } from "zustand";
 import type { HandedResult } from "../../../course/made/result.ts";
 import type { Task } from "../../../course/task.ts";
-import { gather, startGathered, useGathered } from "./gathered.ts";
+import { gather, resultRecord } from "./gathered.ts";
 import { isAmong, type LearnerFile } from "./result-rows.ts";
 import type { FieldFault } from "../../../course/read-task.ts";
 
@@ -35,9 +35,8 @@ export type NamedResult = { readonly file: string; readonly result: HandedResult
 
 /** Shows the gathered results, and what came beside them; each file once. What became of files that came before stays to be seen. */
 export function showResults(come: readonly NamedResult[] = []): void {
-  startGathered();
   const { shown } = useTaughtShown.getState();
-  const { list } = useGathered.getState();
+  const list = resultRecord.now();
   const fresh: LearnerFile[] = [], leftOut: FileLeftOut[] = shown?.kind === "results" ? [...shown.leftOut] : [];
   for (const one of come) {
     if ("why" in one) leftOut.push(one);

@@ -1,8 +1,7 @@
 import { expect, test } from "vitest";
 import { TASK_FORMAT, taskSchema } from "../../../course/task.ts";
 import { undo } from "../../document/steps.ts";
-import { readTaughtList, writeTaught } from "./taught-list.ts";
-import { bringTasks, keepTask, removeTask, useTaught } from "./taught.ts";
+import { keepTask, mergedTasks, removeTask, taughtRecord } from "./taught.ts";
 
 const task = (id: string, title = "A") =>
   taskSchema.parse({
@@ -12,7 +11,7 @@ const task = (id: string, title = "A") =>
     start: { empty: true },
     words: { en: { title, ask: "B", hints: ["1", "2", "3"] } },
   });
-const ids = () => useTaught.getState().list.map(({ id, words }) => `${id} ${words.en?.title}`);
+const ids = () => taughtRecord.now().map(({ id, words }) => `${id} ${words.en?.title}`);
 
 test("tasks are kept once, the newest first, a changed one in place of the old one; each is a step of undo", () => {
   keepTask(task("pin"));
@@ -24,12 +23,12 @@ test("tasks are kept once, the newest first, a changed one in place of the old o
   expect(ids()).toEqual(["disc A", "pin A"]);
   removeTask("disc");
   undo();
-  bringTasks([task("pin", "D"), task("bush")]);
+  taughtRecord.put(mergedTasks(taughtRecord.now(), [task("pin", "D"), task("bush")]));
   expect(ids()).toEqual(["disc A", "pin A", "bush A"]);
-  expect(readTaughtList(writeTaught(useTaught.getState().list) ?? "")).toEqual(useTaught.getState().list);
+  expect(taughtRecord.read(taughtRecord.write(taughtRecord.now()))).toEqual(taughtRecord.now());
 });
 
 test("a damaged list is none", () => {
-  expect(readTaughtList('{"version":1,"tasks":[{"id":"x"}]}')).toBe(null);
-  expect(readTaughtList("{")).toBe(null);
+  expect(taughtRecord.read({ version: 1, tasks: [{ id: "x" }] })).toBe(null);
+  expect(taughtRecord.read(undefined)).toBe(null);
 });

@@ -1,5 +1,5 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import { countWork, useWorked, workedIn } from "./working-time.ts";
+import { countWork, workedIn, workedRecord } from "./working-time.ts";
 import { useEditor } from "../../document/store.ts";
 
 const now = vi.hoisted(() => ({ ms: 1000, visible: "visible" }));
@@ -18,7 +18,7 @@ const pass = (ms: number) => {
 
 beforeEach(() => {
   vi.spyOn(document, "visibilityState", "get").mockImplementation(() => now.visible as DocumentVisibilityState);
-  useWorked.setState({ list: {} });
+  workedRecord.put({});
 });
 
 test("time counts while a task is open and in sight, and for that task alone", () => {

@@ -1,24 +1,35 @@
-import { create } from "zustand";
+import { z } from "zod/mini";
 import { time } from "../../base/clock.ts";
-import { keepTable } from "../../base/device-table.ts";
-import { noteChange, useSteps } from "../../document/steps.ts";
+import { record } from "../../base/record.ts";
+import { useSteps } from "../../document/steps.ts";
 import { useEditor } from "../../document/store.ts";
-import { mergedWorked, readWorked, writeWorked, type Worked, type WorkedTasks } from "./worked-list.ts";
+
+/** How long a task was open and visible, ms, and how many changes were made in it. */
+export interface Worked {
+  readonly ms: number;
+  readonly steps: number;
+}
+type WorkedTasks = Readonly<Record<string, Worked>>;
+
+const NONE: WorkedTasks = {};
 
 /** What was worked in each task on this device, by its id. */
-export const useWorked = create<{ readonly list: WorkedTasks }>(() => ({ list: {} }));
-
-const put = (list: WorkedTasks): void => useWorked.setState({ list });
+export const workedRecord = record({
+  key: "course-worked",
+  version: 1,
+  schema: z.object({ tasks: z.record(z.string().check(z.maxLength(100)), z.object({ ms: z.number(), steps: z.int() })) }),
+  from: ({ tasks }): WorkedTasks => tasks,
+  to: (tasks) => ({ tasks }),
+  first: NONE,
+});
 
 const NOTHING: Worked = { ms: 0, steps: 0 };
-export const workedIn = (id: string): Worked => {
-  const { list } = useWorked.getState();
-  return (Object.hasOwn(list, id) && list[id]) || NOTHING;
-};
+const workedOf = (list: WorkedTasks, id: string): Worked => (Object.hasOwn(list, id) && list[id]) || NOTHING;
+export const workedIn = (id: string): Worked => workedOf(workedRecord.now(), id);
 
 function add(id: string, more: Partial<Worked>): void {
   const now = workedIn(id);
-  useWorked.setState(({ list }) => ({ list: { ...list, [id]: { ms: now.ms + (more.ms ?? 0), steps: now.steps + (more.steps ?? 0) } } }));
+  workedRecord.put({ ...workedRecord.now(), [id]: { ms: now.ms + (more.ms ?? 0), steps: now.steps + (more.steps ?? 0) } });
 }
 
 /** The task that is open and in sight; null while there is none. */
@@ -29,8 +40,6 @@ function openTask(): string | null {
 
 /** How often running time is written down, ms. */
 const EVERY = 10_000;
-const KEY = "turnwise/course-worked";
-let runs = false;
 let since: { readonly id: string; readonly at: number } | null = null;
 
 /** Adds what has passed, and goes on with the task that is open now. */
@@ -40,22 +49,8 @@ export function countWork(): void {
   since = id === null ? null : { id, at: now };
 }
 
-/** Counts the time of open tasks from now on. Asked again it does nothing. */
+/** Counts the time of open tasks from now on. Called once. */
 export function startWorkingTime(): void {
-  if (runs) return;
-  runs = true;
-  keepTable<WorkedTasks>({
-    key: KEY,
-    aside: `${KEY}/damaged`,
-    store: useWorked,
-    first: {},
-    isSame: (one, other) => JSON.stringify(one) === JSON.stringify(other),
-    write: writeWorked,
-    read: readWorked,
-    take: put,
-    damaged: () => undefined,
-    notKept: () => undefined,
-  });
   countWork();
   useEditor.subscribe((is, was) => {
     if (is.work !== was.work) countWork();
@@ -69,9 +64,12 @@ export function startWorkingTime(): void {
   setInterval(countWork, EVERY);
 }
 
-/** Takes what was worked on another device, as a step; of both the more counts. */
-export function bringWorked(brought: WorkedTasks): void {
-  const { list } = useWorked.getState(), next = mergedWorked(list, brought);
-  put(next);
-  noteChange(put, list, next);
+/** What was worked here and elsewhere: the same work may stand in both, so the more counts. */
+export function mergedWorked(mine: WorkedTasks, brought: WorkedTasks): WorkedTasks {
+  const all = { ...mine };
+  for (const [id, { ms, steps }] of Object.entries(brought)) {
+    const here = workedOf(mine, id);
+    all[id] = { ms: Math.max(here.ms, ms), steps: Math.max(here.steps, steps) };
+  }
+  return all;
 }

@@ -1,5 +1,5 @@
-import { createStore, del, get, keys, set } from "idb-keyval";
 import { fileKey } from "../../../program/state/program-files.ts";
+import { database } from "../../base/database.ts";
 import type { FileHandle } from "./file-handle.ts";
 
 /** A file of the device that a file of a work came from or was saved to, and what it held then. */
@@ -17,8 +17,7 @@ const nameOf = (work: string, file: string): string => `${work}${GAP}${fileKey(f
 
 /** Those of this page: browsers that keep no handles still write back until the page is left. */
 const held = new Map<string, KeptFile>();
-let store: ReturnType<typeof createStore> | null = null;
-const kept = () => (store ??= createStore("turnwise-files", "files"));
+const kept = database("files");
 
 async function hashOf(bytes: BufferSource): Promise<string> {
   const hash = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
@@ -31,7 +30,7 @@ export async function keepHandle(work: string, file: string, handle: FileHandle,
     const { lastModified, size } = await handle.getFile();
     const found: KeptFile = { handle, modified: lastModified, size, hash: await hashOf(bytes) };
     held.set(nameOf(work, file), found);
-    await set(nameOf(work, file), found, kept());
+    await kept.set(nameOf(work, file), found);
   } catch {
     return;
   }
@@ -42,7 +41,7 @@ export async function keptHandle(work: string, file: string): Promise<KeptFile |
   const known = held.get(nameOf(work, file));
   if (known) return known;
   try {
-    return (await get<KeptFile>(nameOf(work, file), kept())) ?? null;
+    return (await kept.get<KeptFile>(nameOf(work, file))) ?? null;
   } catch {
     return null;
   }
@@ -57,9 +56,9 @@ export async function hasChanged({ modified, size, hash }: KeptFile, now: File):
 /** Forgets the files of works that are no longer kept. */
 export async function forgetHandles(works: ReadonlySet<string>): Promise<void> {
   try {
-    for (const key of await keys<string>(kept())) {
+    for (const key of await kept.keys()) {
       const [work = ""] = key.split(GAP);
-      if (!works.has(work)) await del(key, kept());
+      if (!works.has(work)) await kept.del(key);
     }
   } catch {
     return;

@@ -13,7 +13,6 @@ import { LinkBox, pageAddress } from "./LinkBox.tsx";
 import { resultLink, taughtFile } from "./taught-files.ts";
 import { useTaught } from "../../../app/records/course/taught.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
-import { startWorkingTime } from "../../../app/records/course/working-time.ts";
 import { TeachText } from "./WordFields.tsx";
 import "./teach.css";
 
@@ -36,7 +35,6 @@ export function HandInDialog({ done }: { readonly done: () => void }) {
   const [name, call] = useState("");
   const [made, make] = useState<{ readonly key: string; readonly result: HandedResult } | null>(null);
   const ids = begun.map(({ id }) => id).filter((id) => !left.includes(id)), key = ids.join(" ");
-  useEffect(startWorkingTime, []);
   useEffect(() => {
     let gone = false;
     void handedResult(key.split(" ").filter((id) => id !== ""), "", progress, language).then((result) => {

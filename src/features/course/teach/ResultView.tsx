@@ -20,7 +20,7 @@ import { useTeachTexts } from "./use-teach-texts.ts";
 export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut[] }) {
   const t = useTeachTexts(), { results: words } = t;
   const language = useSettings((s) => s.language);
-  const { list: files, isKept } = useGathered();
+  const { list: files, trouble } = useGathered();
   const dialog = useRef<HTMLDialogElement>(null), file = useRef<HTMLInputElement>(null);
   useModal(dialog);
   const all = useMemo(() => resultRows(files), [files]);
@@ -61,7 +61,7 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
         </button>
       </div>
       <p>{isOne && only ? words.lead(day(only.result.made)) : words.several}</p>
-      {!isKept && <Message tone="warning">{words.notKept}</Message>}
+      {trouble === "notKept" && <Message tone="warning">{words.notKept}</Message>}
       <LeftOut leftOut={leftOut} />
       {all.length === 0
         ? <Message tone="info">{files.length === 0 ? words.nothing : words.empty}</Message>

@@ -1,4 +1,3 @@
-import { useEffect } from "react";
 import { formatNumber } from "../../../i18n/number.ts";
 import { blankOfLines } from "../../../course/wanted-part.ts";
 import { boxAround } from "../../../kernel/area/box.ts";
@@ -10,7 +9,7 @@ import { inScreenLanguage } from "../../../app/records/course/content.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
 import { beginTask } from "../task/begin.ts";
 import { ResultView } from "./ResultView.tsx";
-import { keepTask, startTaught, useTaught } from "../../../app/records/course/taught.ts";
+import { keepTask, useTaught } from "../../../app/records/course/taught.ts";
 import { taughtFile } from "./taught-files.ts";
 import { TaughtProblemView } from "./TaughtProblemView.tsx";
 import { leaveTaught, useTaughtShown } from "../../../app/records/course/taught-shown.ts";
@@ -24,7 +23,6 @@ const MOST_LEFT = 12;
 /** What came from outside: a task, before it is kept or begun; or results that a learner handed in. */
 export function TaughtDialog() {
   const shown = useTaughtShown((s) => s.shown);
-  useEffect(startTaught, []);
   switch (shown?.kind) {
     case "task":
       return <IncomingTask task={shown.task} left={shown.left} />;

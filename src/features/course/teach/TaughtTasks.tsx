@@ -1,4 +1,4 @@
-import { Suspense, useEffect, useState } from "react";
+import { Suspense, useState } from "react";
 import { progressOfTask, stateOfTask } from "../../../course/progress.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
@@ -12,7 +12,7 @@ import { textOfTask } from "../../../course/made/form-of-task.ts";
 import type { Task } from "../../../course/task.ts";
 import { undo, useSteps } from "../../../app/document/steps.ts";
 import { showResults } from "../../../app/records/course/taught-shown.ts";
-import { copyTask, removeTask, startTaught, useTaught } from "../../../app/records/course/taught.ts";
+import { copyTask, removeTask, useTaught } from "../../../app/records/course/taught.ts";
 import { useTeachTextsSoon } from "./use-teach-texts.ts";
 import "./teach.css";
 
@@ -29,7 +29,6 @@ export function TaughtTasks() {
   const [changed, change] = useState<Task | null>(null);
   const [gone, say] = useState<{ readonly title: string; readonly step: object | undefined } | null>(null);
   const last = useSteps((s) => s.past.at(-1));
-  useEffect(startTaught, []);
   if (!t) return null;
   return (
     <section className="taught" aria-label={t.own.title}>

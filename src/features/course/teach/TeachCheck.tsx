@@ -1,4 +1,3 @@
-import { useEffect } from "react";
 import { formatNumber } from "../../../i18n/number.ts";
 import type { TaskJudgement, TaskMark } from "../../../course/judge/judgement.ts";
 import type { MadeFault } from "../../../course/made/made-task.ts";
@@ -9,7 +8,7 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { beginTaskAnew } from "../task/begin.ts";
 import { LinkBox, pageAddress } from "./LinkBox.tsx";
 import { forgetForm } from "../../../app/records/course/kept-form.ts";
-import { keepTask, startTaught, useTaught } from "../../../app/records/course/taught.ts";
+import { keepTask, useTaught } from "../../../app/records/course/taught.ts";
 import { taskLink, taughtFile } from "./taught-files.ts";
 import { useTeachTexts } from "./use-teach-texts.ts";
 
@@ -34,7 +33,6 @@ export function TeachCheck({ task, judged, isIdle, foretells, lacking, formKey, 
   readonly done: () => void;
 }) {
   const t = useTeachTexts();
-  useEffect(startTaught, []);
   const lacks = lacking.truth.length > 0;
   const faults = "length" in task ? [...task, ...(lacks ? ["truth" as const] : [])] : lacks ? ["truth" as const] : null;
   const whole = "length" in task || lacks ? null : task;

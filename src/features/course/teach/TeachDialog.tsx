@@ -15,7 +15,7 @@ import { fingerprint } from "../../../app/records/difference.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useModal } from "../../../app/base/use-modal.ts";
 import { inScreenLanguage } from "../../../app/records/course/content.ts";
-import { keptForm, keyOfTask, keyOfWork, startForms } from "../../../app/records/course/kept-form.ts";
+import { keptForm, keyOfTask, keyOfWork } from "../../../app/records/course/kept-form.ts";
 import { sizeChoices } from "./size-choices.ts";
 import { TeachForm, type BegunForm } from "./TeachForm.tsx";
 import { useTeachTexts } from "./use-teach-texts.ts";
@@ -35,7 +35,6 @@ function openMaterial(): MadeTask["material"] {
 }
 
 function begunForm(source: TeachSource, screen: ReturnType<typeof useSettings.getState>["language"]): BegunForm | null {
-  startForms();
   const base = "task" in source ? source.task : null, text = "task" in source ? textOfTask(source.task) : source.text;
   if (text === null) return null;
   const answer = answerOf(text), isPart = makesPart(answer), milled = milledFrom(answer);

@@ -96,7 +96,7 @@ export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => vo
   const t = useTeachTexts();
   const { answer, base, first, keptAs, print, isPart, milled, text } = of;
   const screen = useSettings((s) => s.language);
-  const isKept = useForms((s) => s.isKept);
+  const isKept = useForms((s) => s.trouble !== "notKept");
   const [made, set] = useState(first);
   const [filledFrom, fill] = useState(of.keptPrint);
   const [past, remember] = useState<readonly { readonly made: MadeTask; readonly filledFrom: string }[]>([]);

@@ -13,13 +13,12 @@ import { isProgram } from "../../../app/document/work.ts";
 import { fetchTask, inScreenLanguage } from "../../../app/records/course/content.ts";
 import { keptOfTask } from "../task/begin.ts";
 import type { Again } from "../../../app/records/course/result-rows.ts";
-import { startTaught, useTaught } from "../../../app/records/course/taught.ts";
+import { taughtRecord } from "../../../app/records/course/taught.ts";
 import { countWork, workedIn } from "../../../app/records/course/working-time.ts";
 
 /** A task by its id: one that was handed out, or one of the course; null where this device has none. */
 export async function taskOfId(id: string): Promise<Task | null> {
-  startTaught();
-  return useTaught.getState().list.find((task) => task.id === id) ?? fetchTask(id);
+  return taughtRecord.now().find((task) => task.id === id) ?? fetchTask(id);
 }
 
 /** What a program comes to in a task, run as every device runs it, beside the page; null where that cannot be said. */

@@ -1,4 +1,4 @@
-/* The start page, and a new program. */
+/* What the first screen shows of this feature. */
 
 export { CreateProgram } from "./CreateProgram.tsx";
 export { StartPage } from "./StartPage.tsx";

@@ -1,0 +1,14 @@
+import { createStore, del, entries, get, keys, set, setMany } from "idb-keyval";
+
+/** A table of the browser's databases, in a database of its own. It is opened when it is first asked; a browser may refuse each answer. */
+export function database(name: string) {
+  const store = createStore(`turnwise-${name}`, name);
+  return {
+    get: <T>(key: string) => get<T>(key, store),
+    set: (key: string, value: unknown) => set(key, value, store),
+    setMany: (all: [string, unknown][]) => setMany(all, store),
+    del: (key: string) => del(key, store),
+    keys: () => keys<string>(store),
+    entries: () => entries<string, unknown>(store),
+  };
+}

@@ -1,0 +1,12 @@
+const isPlain = (a: unknown): a is Readonly<Record<string, unknown>> => {
+  const kind: unknown = typeof a === "object" && a !== null ? Object.getPrototypeOf(a) : null;
+  return kind === Object.prototype || kind === Array.prototype;
+};
+
+/** Whether two pieces of plain data say the same, whatever the order of their fields. What they share is not looked into. */
+export function isSameData(a: unknown, b: unknown): boolean {
+  if (a === b) return true;
+  if (!isPlain(a) || !isPlain(b) || Array.isArray(a) !== Array.isArray(b)) return false;
+  const names = Object.keys(a);
+  return names.length === Object.keys(b).length && names.every((name) => name in b && isSameData(a[name], b[name]));
+}

@@ -1,0 +1,127 @@
+import { mergedProgress } from "../../course/progress.ts";
+import { readOwn, type OwnEntry } from "../../program/edits/own-cycle.ts";
+import { mergedLibrary, writeLibrary } from "../../program/edits/own-library.ts";
+import { mergedTools } from "../../program/tools/tool-list.ts";
+import { writeTableJson } from "../../program/tools/tool-table-json.ts";
+import type { KeptRecord } from "../base/record.ts";
+import { isSameData } from "../base/same.ts";
+import { changeLanguage, changeSettings, readSettings, useSettings, type Settings } from "../base/settings/settings.ts";
+import { editRecord } from "../document/edit-record.ts";
+import { ownRecord } from "../document/own-store.ts";
+import { toolRecord, toolsOnDevice } from "../document/tool-store.ts";
+import { mergedResults, resultRecord } from "./course/gathered.ts";
+import { formRecord, mergedForms } from "./course/kept-form.ts";
+import { progressRecord } from "./course/progress.ts";
+import { mergedTasks, taughtRecord } from "./course/taught.ts";
+import { countWork, mergedWorked, workedRecord } from "./course/working-time.ts";
+
+/** What is offered of a file as a table: mine stays, takes what it does not have, or gives way. Each is one part. */
+export const TABLES = ["tools", "own"] as const;
+/** What is offered as a box, and whether it is ticked to begin with. What is here stays where it is better. */
+export const BOXES = { course: true, settings: false } as const;
+export type Group = (typeof TABLES)[number] | keyof typeof BOXES;
+
+/** Something that an archive holds beside the works. */
+export interface Part<T> {
+  /** What it is offered as, together with others of the group. */
+  readonly group: Group;
+  /** The value of this device. */
+  here(): T;
+  /** Data as they are archived, and a value from data that anybody may have written: null where they are damaged. */
+  write(value: T): object;
+  read(raw: unknown): T | null;
+  /** Whether there is nothing in it: such a part is left out. */
+  isEmpty(value: T): boolean;
+  isSame(one: T, other: T): boolean;
+  /** What is here, with what is brought beside it. `nameHere`: what a work is called here that had another name there. */
+  merge(mine: T, brought: T, nameHere: ReadonlyMap<string, string>): T;
+  /** Puts a value in place. */
+  take(value: T): void | Promise<void>;
+  /** The same for people and other programs: texts by their paths. */
+  files?(value: T): Readonly<Record<string, string>>;
+}
+
+/** A record as a part; it is taken as one step of undo. */
+const ofRecord = <T>(record: KeptRecord<T>, more: Pick<Part<T>, "group" | "merge"> & Partial<Part<T>>): Part<T> => ({
+  here: record.now,
+  write: record.write,
+  read: record.read,
+  isEmpty: (value) => record.isSame(value, record.first),
+  isSame: record.isSame,
+  take: (value) => editRecord(record, () => value),
+  ...more,
+});
+
+const ownNumber = (entry: OwnEntry) => readOwn(entry).number ?? entry.number.trim();
+
+/** Settings are no record: each change is kept at once, other tabs go on with theirs, and none is a step of undo. */
+const settingsPart: Part<Settings> = {
+  group: "settings",
+  here: useSettings.getState,
+  write: (settings) => settings,
+  read: readSettings,
+  isEmpty: () => false,
+  isSame: isSameData,
+  // Somebody who goes by the shipped cutting data, or by no machine, has none to bring: the shop's own stay.
+  merge: (mine, brought) => ({ ...brought, cutting: brought.cutting || mine.cutting, machine: brought.machine || mine.machine }),
+  async take({ language, ...others }) {
+    changeSettings(others);
+    await changeLanguage(language);
+  },
+  files: (settings) => ({
+    ...(settings.cutting !== "" && { "tools/CUTTING.json": settings.cutting }),
+    ...(settings.machine !== "" && { "tools/MACHINE.json": settings.machine }),
+    "settings.json": JSON.stringify(settings, null, 2),
+  }),
+};
+
+/** All that an archive holds beside the works, in the order in which it is taken. */
+const parts = {
+  tools: ofRecord(toolRecord, {
+    group: "tools",
+    isEmpty: () => false,
+    merge(mine, brought) {
+      const [theirs, ours] = [toolsOnDevice(brought).rows, toolsOnDevice(mine).rows];
+      const taken = new Set(mine.map(({ id }) => ours.get(id)?.number ?? null));
+      const missing = brought.filter(({ id }) => !taken.has(theirs.get(id)?.number ?? null));
+      return mergedTools(mine, missing.map(({ cells }) => cells)).list;
+    },
+    files(list) {
+      const { table, mills } = toolsOnDevice(list);
+      return { "tools/TOOLS.json": writeTableJson(table.tools, mills) };
+    },
+  }),
+  own: ofRecord(ownRecord, {
+    group: "own",
+    merge(mine, brought) {
+      const taken = new Set(mine.map(ownNumber));
+      return mergedLibrary(mine, brought.filter((entry) => !taken.has(ownNumber(entry)))).list;
+    },
+    files: (list) => ({ "tools/CYCLES.json": writeLibrary(list) }),
+  }),
+  course: ofRecord(progressRecord, { group: "course", merge: mergedProgress }),
+  taught: ofRecord(taughtRecord, { group: "course", merge: mergedTasks }),
+  forms: ofRecord(formRecord, { group: "course", merge: mergedForms }),
+  worked: ofRecord(workedRecord, {
+    group: "course",
+    here() {
+      countWork();
+      return workedRecord.now();
+    },
+    merge: mergedWorked,
+  }),
+  results: ofRecord(resultRecord, { group: "course", merge: mergedResults }),
+  settings: settingsPart,
+} as const;
+
+export type PartName = keyof typeof parts;
+type ValueOf<P> = P extends Part<infer T> ? T : never;
+/** The values of all parts; null for what there is not. */
+export type PartValues = { readonly [P in PartName]: ValueOf<(typeof parts)[P]> | null };
+
+export const PARTS: Readonly<Record<PartName, Part<unknown>>> = parts;
+export const PART_NAMES = Object.keys(parts) as readonly PartName[];
+
+/** A value for each part. */
+export const eachPart = (valueOf: (part: Part<unknown>, name: PartName) => unknown): PartValues =>
+  Object.fromEntries(PART_NAMES.map((name) => [name, valueOf(PARTS[name], name)])) as PartValues;

@@ -1,0 +1,3 @@
+/* What the first screen shows of this feature. */
+
+export { HandedLine, IncomingWork } from "./HandedParts.tsx";

@@ -1,0 +1,3 @@
+/* What the first screen shows of this feature. */
+
+export { startOfflineLater } from "./start-offline.ts";
