@@ -3,6 +3,7 @@ import { flushSync } from "react-dom";
 import { createStore, useStore, type StateCreator, type StoreApi, type UseBoundStore } from "zustand";
 import { afterPicture } from "./after-picture.ts";
 import { catchUp, useFollowed } from "./followed.ts";
+import { once } from "./once.ts";
 
 /*
  * While somebody types, the field and the path are drawn first. Everything else that follows the work is told of the change when
@@ -58,18 +59,14 @@ function tellAll(): void {
 const typesOn = ({ key, ctrlKey, metaKey, altKey, target }: KeyboardEvent): boolean =>
   target instanceof HTMLInputElement && !ctrlKey && !metaKey && !altKey && (key.length === 1 || key === "Backspace" || key === "Delete");
 
-let listens = false;
-
 /** From now on everything is told what was typed before a key, a finger or the loss of the keyboard does something else. */
-function tellBeforeActing(): void {
-  if (listens) return;
-  listens = true;
+const tellBeforeActing = once(() => {
   const tell = (event: Event) => {
     if ((held.size > 0 || isBehind) && !(event instanceof KeyboardEvent && typesOn(event))) flushSync(tellAll);
   };
   for (const act of ["keydown", "pointerdown", "click", "focusout", "paste", "drop"] as const)
     addEventListener(act, tell, { capture: true });
-}
+});
 
 /** Makes a change that somebody types; whether anything is held back of it. */
 export function whileTyping(change: () => void): boolean {

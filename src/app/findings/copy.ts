@@ -1,5 +1,6 @@
 import { create } from "zustand";
 import type { ShownVerdict } from "./verdict.ts";
+import { restartable } from "../base/once.ts";
 
 /** How the last copying went; null before it and once its message is gone. */
 export interface Copying {
@@ -14,15 +15,15 @@ export const useCopying = create<Copying>(() => ({ state: null, text: "", verdic
 
 /** How long "Copied" stays, ms. */
 const SHOWN = 8000;
-let timer: ReturnType<typeof setTimeout> | undefined;
+const shown = restartable();
 
 /** Puts text on the clipboard; where the browser refuses, the text is shown to be copied by hand. */
 export async function copyText(text: string, verdict: ShownVerdict | null = null): Promise<void> {
-  clearTimeout(timer);
+  shown.stop();
   try {
     await navigator.clipboard.writeText(text);
     useCopying.setState({ state: "copied", text, verdict });
-    timer = setTimeout(() => useCopying.setState({ state: null }), SHOWN);
+    shown.start(() => useCopying.setState({ state: null }), SHOWN);
   } catch {
     useCopying.setState({ state: "refused", text, verdict });
   }

@@ -5,6 +5,7 @@ import { useEditor } from "../document/store.ts";
 import { isToDo, type FindingEntry } from "./entry.ts";
 import { findingsOf } from "./findings.ts";
 import { judged, type ShownVerdict } from "./verdict.ts";
+import { rememberingLast } from "../base/once.ts";
 
 interface Findings {
   readonly entries: readonly FindingEntry[];
@@ -13,20 +14,15 @@ interface Findings {
   readonly verdict: ShownVerdict;
 }
 
-let last: { readonly read: JobReading | null; readonly newest: Outcome | null; readonly findings: Findings } | null = null;
-
 /** The findings and the verdict on one state of the open work, made once per state. */
-function known(read: JobReading | null, newest: Outcome | null): Findings {
-  if (last?.read === read && last.newest === newest) return last.findings;
+const known = rememberingLast((read: JobReading | null, newest: Outcome | null): Findings => {
   const entries = findingsOf(read, newest);
-  const findings = {
+  return {
     entries,
     listed: entries.filter((entry) => !isToDo(entry)),
     verdict: judged(entries, newest && (!read || read.reading.values) ? newest : null),
   };
-  last = { read, newest, findings };
-  return findings;
-}
+});
 
 /** The same now, outside of components. */
 export function presentFindings(): Findings {

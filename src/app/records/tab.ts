@@ -1,5 +1,6 @@
 import { drawnId } from "../base/chance.ts";
 import { jsonOf, keptText } from "../base/kept.ts";
+import { once } from "../base/once.ts";
 
 /**
  * A work is written by one tab at a time: the one that holds its lock, which dies with the tab. Which work a tab has open survives a
@@ -63,18 +64,17 @@ type Message = { readonly kind: "who" | "have"; readonly work: string } | { read
 };
 
 const isMessage = (raw: unknown): raw is Message => typeof raw === "object" && raw !== null && "kind" in raw;
-let channel: BroadcastChannel | null = null;
 const listeners = new Set<(message: Message) => void>();
 
 /** The channel, opened when the first one listens or speaks; null where the browser has none. */
-function open(): BroadcastChannel | null {
-  if (channel || typeof BroadcastChannel !== "function") return channel;
-  channel = new BroadcastChannel("turnwise");
+const open = once((): BroadcastChannel | null => {
+  if (typeof BroadcastChannel !== "function") return null;
+  const channel = new BroadcastChannel("turnwise");
   channel.addEventListener("message", ({ data }: MessageEvent<unknown>) => {
     if (isMessage(data)) { for (const listener of listeners) listener(data); }
   });
   return channel;
-}
+});
 
 const say = (message: Message): void => open()?.postMessage(message);
 

@@ -4,6 +4,7 @@ import { holdPicture } from "../../calculation/outcome.ts";
 import { readingOfBlock } from "./block-prompts.ts";
 import { cursorBlock, readingField } from "./reading-field.ts";
 import type { TextUpdate } from "./text-view.ts";
+import { rememberingLast } from "../../base/once.ts";
 
 /*
  * A number of which one digit is typed is no value yet, or a wrong one, and what comes behind it in the program would be run as if the
@@ -12,7 +13,6 @@ import type { TextUpdate } from "./text-view.ts";
 
 /** The block that was right and is not, by its index; null while there is none. */
 let half: number | null = null;
-let last: { readonly program: Program; readonly index: number; readonly wrong: boolean } | null = null;
 
 function isWrongWith(program: Program, index: number, draft: Draft): boolean {
   const block = program.blocks[index], read = readingOfBlock(program, index, draft);
@@ -20,10 +20,7 @@ function isWrongWith(program: Program, index: number, draft: Draft): boolean {
 }
 
 /** Whether a block cannot be run as its text stands. */
-function isWrong(program: Program, index: number): boolean {
-  if (last?.program !== program || last.index !== index) last = { program, index, wrong: isWrongWith(program, index, {}) };
-  return last.wrong;
-}
+const isWrong = rememberingLast((program: Program, index: number): boolean => isWrongWith(program, index, {}));
 
 function note(index: number | null): void {
   half = index;

@@ -19,6 +19,7 @@ import { blockRange, cursorBlock, isRead, parameterAt, parameterOffset, readFurt
 import { createTextView, type TextUpdate, type TextView } from "./text-view.ts";
 import { onShown, shownFile, showFile } from "../../document/shown-file.ts";
 import { heldWhileTyping } from "../../base/typing.ts";
+import { restartable } from "../../base/once.ts";
 
 /** What the panels beside the text show: the blocks, and which one is open. */
 export interface Session {
@@ -56,17 +57,14 @@ let view: TextView | null = null;
 let open: Text | null = null;
 /** The work is taking in what stands in the editor: nothing has to be put there. */
 let handing = false;
-let panels: ReturnType<typeof setTimeout> | undefined;
-let calculation: ReturnType<typeof setTimeout> | undefined;
-let reading: ReturnType<typeof setTimeout> | undefined;
+const [panels, calculation, reading] = [restartable(), restartable(), restartable()];
 
 /** The text in the editor as its file has it; null when none is open. */
 export const sessionText = (): string | null => (open ? fileText(open) : null);
 
 /** Hands the text to keeping and calculation now. */
 export function handOverText(): void {
-  clearTimeout(calculation);
-  calculation = undefined;
+  calculation.stop();
   const { program, work } = useEditor.getState();
   if (!open || !program || open.work !== work) return;
   const text = fileText(open);
@@ -100,8 +98,7 @@ function noteTyping(text: Text, before: EditorState): void {
 const stepOf = (text: Text): HistoryStep => ({ of: text, back: () => go(text, undo), forth: () => go(text, redo), file: text.file });
 
 function show(opened: boolean): void {
-  clearTimeout(panels);
-  panels = undefined;
+  panels.stop();
   if (!view || !open) return;
   const { state } = open;
   const before = useSession.getState();
@@ -120,18 +117,15 @@ function onChange(update: TextUpdate): void {
     const long = update.state.field(readingField).program.blocks.length > LONG;
     if (long) typingGoesOn(LONG_REST);
     else if (typed && !byDialog) typingGoesOn(REST);
-    clearTimeout(calculation);
-    calculation = setTimeout(handOverText, long ? LONG_REST : REST);
+    calculation.start(handOverText, long ? LONG_REST : REST);
     if (open && !update.transactions.some((tr) => tr.isUserEvent("undo") || tr.isUserEvent("redo"))) noteTyping(open, update.startState);
   }
   // What the page plans at once is seen at once.
   if (update.docChanged && plansOnPage(update.state.doc.length)) handOverText();
   const more = update.state.field(readingField) !== update.startState.field(readingField);
   if (!more && !update.selectionSet) return;
-  if (typed && !byDialog) {
-    clearTimeout(panels);
-    panels = setTimeout(() => show(true), PANELS_REST);
-  } else show(!byDialog);
+  if (typed && !byDialog) panels.start(() => show(true), PANELS_REST);
+  else show(!byDialog);
   if (update.transactions.some((tr) => tr.isUserEvent("select.pointer"))) useSession.setState((s) => ({ pointed: s.pointed + 1 }));
 }
 
@@ -158,9 +152,9 @@ function takeUp(program: ProgramWork, work: string): Text {
 
 /** Reads a long text to its end, piece by piece, so that the page answers in between. */
 function readToEnd(): void {
-  clearTimeout(reading);
+  reading.stop();
   if (!open || isRead(open.state)) return;
-  reading = setTimeout(() => {
+  reading.start(() => {
     view?.get().dispatch(readFurther);
     readToEnd();
   });
@@ -237,8 +231,8 @@ export function followShown(): () => void {
 export function closeSession(): void {
   if (!view) return;
   handOverText();
-  clearTimeout(panels);
-  clearTimeout(reading);
+  panels.stop();
+  reading.stop();
   view.destroy();
   view = null;
   open = null;

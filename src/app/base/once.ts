@@ -1,0 +1,27 @@
+/** Makes something when it is first asked for; afterwards the same is given. */
+export function once<T>(make: () => T): () => T {
+  let made: { readonly value: T } | null = null;
+  return () => (made ??= { value: make() }).value;
+}
+
+/** Keeps the newest result of a function: asked for the same again, it gives the same again. */
+export function rememberingLast<A extends readonly unknown[], T>(make: (...of: A) => T): (...of: A) => T {
+  let last: { readonly of: A; readonly value: T } | null = null;
+  return (...of) => {
+    if (!last?.of.every((each, i) => Object.is(each, of[i]))) last = { of, value: make(...of) };
+    return last.value;
+  };
+}
+
+/** One timer: what it is started with replaces what it waited for. */
+export function restartable(): { start(run: () => void, ms?: number): void; stop(): void } {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const stop = () => clearTimeout(timer);
+  return {
+    stop,
+    start(run, ms) {
+      stop();
+      timer = setTimeout(run, ms);
+    },
+  };
+}
