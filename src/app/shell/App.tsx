@@ -18,8 +18,7 @@ import { useCopying } from "../findings/copy.ts";
 import { fetchAtRest } from "../base/rest.ts";
 import { useElsewhere } from "../place/elsewhere.ts";
 import { useKeeping } from "../records/keep.ts";
-import { fetchShownTexts } from "../base/settings/shown-texts.ts";
-import { useFirstTexts } from "../base/settings/use-first-texts.ts";
+import { fetchShownTexts, useTexts } from "../base/settings/use-texts.ts";
 import { useSheetShown } from "../document/sheet-place.ts";
 import { StartPage } from "../../features/start/StartPage.tsx";
 import { useEditor } from "../document/store.ts";
@@ -87,7 +86,7 @@ export function App() {
   const { showBlock, against } = useComparing();
   const { choice } = useChoice();
   const refused = useCopying((c) => c.state === "refused");
-  const t = useFirstTexts().page;
+  const t = useTexts("first").page;
   const sheet = useSheetShown();
   const guide = useGuidePlace((p) => p.path !== null);
   const newer = useVersion((v) => v.newer !== "none" && !v.later);

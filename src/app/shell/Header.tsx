@@ -4,7 +4,7 @@ import { useGuidePlace } from "../place/guide-place.ts";
 import { Icon } from "../base/Icon.tsx";
 import { usePlace } from "../place/place.ts";
 import { useElsewhere } from "../place/elsewhere.ts";
-import { useFirstTexts } from "../base/settings/use-first-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { useOwnPlace } from "../document/own-place.ts";
 import { useSheetShown } from "../document/sheet-place.ts";
 import { CreateProgram } from "../../features/start/CreateProgram.tsx";
@@ -29,7 +29,7 @@ function toPrompts(event: MouseEvent): void {
 
 /** The top line: what is open, undo and redo, a new program, settings. */
 export function Header() {
-  const t = useFirstTexts();
+  const t = useTexts("first");
   const job = useEditor((s) => s.job);
   const section = usePlace((p) => p.section);
   const [settings, showSettings] = useState(false);

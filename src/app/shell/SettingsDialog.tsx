@@ -1,10 +1,10 @@
 import { Suspense, useLayoutEffect, useRef } from "react";
-import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
+import { LANGUAGES, SCREEN_LANGUAGES, isLanguage } from "../../i18n/languages.ts";
 import { OfflineState } from "../../features/offline/OfflineState.tsx";
 import { showOwn } from "../document/own-place.ts";
 import { lazyPart } from "../base/parts.ts";
 import { changeLanguage, changeSettings, useSettings } from "../base/settings/settings.ts";
-import { useFirstTexts } from "../base/settings/use-first-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 const MachineSection = lazyPart(async () => ({ default: (await import("../fields/machine/MachineSection.tsx")).MachineSection }));
 const ThisDevice = lazyPart(async () => ({ default: (await import("../../features/works/ThisDevice.tsx")).ThisDevice }));
@@ -12,7 +12,7 @@ const ThisDevice = lazyPart(async () => ({ default: (await import("../../feature
 /** Language, appearance, motion and machine: choices of this device. */
 export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
   const dialog = useRef<HTMLDialogElement>(null);
-  const t = useFirstTexts().page;
+  const t = useTexts("first").page;
   const settings = useSettings();
   const first = useRef<HTMLSelectElement>(null);
   useLayoutEffect(() => {
@@ -33,7 +33,8 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
           <select ref={first} className="select" value={settings.language}
             onChange={(e) => isLanguage(e.target.value) && void changeLanguage(e.target.value)}
           >
-            {LANGUAGES.map((language) => <option key={language} value={language} lang={language}>{LANGUAGE_NAMES[language]}</option>)}
+            {LANGUAGES.map((language) => <option key={language} value={language} lang={language}>{SCREEN_LANGUAGES[language].name}
+            </option>)}
           </select>
         </label>
         <label>

@@ -3,7 +3,7 @@ import { useEffect } from "react";
 import { Icon } from "../../app/base/Icon.tsx";
 import { courseHref } from "../../app/place/course-links.ts";
 import { startLearning, useLearning } from "../../app/records/course/progress.ts";
-import { useCourseTexts } from "./use-course-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import "./entrance.css";
 
 /**
@@ -11,7 +11,7 @@ import "./entrance.css";
  * since: the number is that of today.
  */
 export function CourseEntrance() {
-  const { entrance: t } = useCourseTexts();
+  const { entrance: t } = useTexts("course");
   const last = useLearning((s) => s.list.last);
   useEffect(startLearning, []);
   return (

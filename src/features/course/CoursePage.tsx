@@ -4,12 +4,12 @@ import { useCoursePlace } from "../../app/place/course-place.ts";
 import { CourseList } from "./CourseList.tsx";
 import { LessonView } from "./LessonView.tsx";
 import { startLearning } from "../../app/records/course/progress.ts";
-import { useCourseTexts } from "./use-course-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import "./course.css";
 
 /** The course in place of the start page: the list of lessons, or the open one. */
 export function CoursePage() {
-  const t = useCourseTexts();
+  const t = useTexts("course");
   const { lessons } = useCourseIndex();
   const lesson = useCoursePlace((p) => p.lesson);
   useEffect(startLearning, []);

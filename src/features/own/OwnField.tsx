@@ -5,7 +5,6 @@ import { useNumberEntry } from "../../app/fields/dialog/use-number-entry.ts";
 import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { closeStep } from "../../app/document/steps.ts";
 
@@ -14,7 +13,7 @@ export function OwnProblems({ id, problems, text }: { readonly id: string; reado
   readonly text: string })
 {
   const t = useTexts();
-  const { own } = useTableTexts();
+  const { own } = useTexts("tables");
   return (
     <div id={id} className="own-wrong" role="status">
       {problems.map((problem) => {

@@ -1,4 +1,5 @@
 import { useId, useRef } from "react";
+import type { ToolsTexts } from "../../i18n/en/tables/tools.ts";
 import type { Issue } from "../../kernel/plan/issue.ts";
 import { sumOf } from "../../program/values/field.ts";
 import type { HolderNumber, NumberColumn } from "../../program/tools/tool-columns.ts";
@@ -8,7 +9,7 @@ import { FieldMessage } from "../../app/fields/dialog/FieldMessage.tsx";
 import { useNumberEntry } from "../../app/fields/dialog/use-number-entry.ts";
 import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { setCell } from "./tool-edits.ts";
 import { closeStep } from "../../app/document/steps.ts";
 
@@ -29,7 +30,7 @@ export function CellMessages({ id, issues, text, onTake, decimals = 4 }: { reado
 const UNITS = { length: "mm", angle: "degrees", number: null } as const;
 
 /** What a column means for tools of one type alone. */
-function ownMeaning(t: ReturnType<typeof useTableTexts>["tools"], cell: NumberColumn | HolderNumber, type: string): string | null {
+function ownMeaning(t: ToolsTexts, cell: NumberColumn | HolderNumber, type: string): string | null {
   if (cell === "T-ANGLE" && isDrillType(type)) return t.drillAngle;
   return cell === "CUTLENGTH" && type === "THREAD" ? t.toothHeight : null;
 }
@@ -42,7 +43,7 @@ export function ToolField({ entry, cell, issues, unused = null }: {
   /** The type that has no use for this column; null when it has. */
   readonly unused?: string | null;
 }) {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const id = useId();
   const input = useRef<HTMLInputElement>(null);
   const language = useSettings((s) => s.language);

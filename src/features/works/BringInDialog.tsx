@@ -3,11 +3,10 @@ import type { DeviceTexts } from "../../i18n/en/device.ts";
 import { goToWorks } from "../../app/document/go-home.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import type { ReadArchive } from "../../app/records/archive.ts";
-import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { endBringing, type Bringing } from "../../app/records/bring-in-place.ts";
 import { bringsCourse } from "./bring-course.ts";
 import { missingOwn, missingTools, statesOf, tablesHere, takeArchive, type ArchivedState, type TableChoice } from "./take-archive.ts";
-import { useDeviceTexts } from "../../app/base/use-device-texts.ts";
 import { useModal } from "../../app/base/use-modal.ts";
 import "./works.css";
 
@@ -44,8 +43,8 @@ function TableWays({ name, missing, choice, t, onChoose }: { readonly name: stri
 function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readonly t: DeviceTexts["bringIn"];
   readonly onDone: (sentences: readonly string[]) => void })
 {
-  const { page, menu } = useFirstTexts();
-  const { works: list } = useDeviceTexts();
+  const { page, menu } = useTexts("first");
+  const { works: list } = useTexts("device");
   const [states, setStates] = useState<readonly ArchivedState[] | null>(null);
   const [without, leave] = useState<ReadonlySet<number>>(new Set());
   const [tools, chooseTools] = useState<TableChoice>("keep");
@@ -158,8 +157,8 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
 export function BringInDialog({ of: { name, archive, problem } }: { readonly of: Bringing }) {
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog);
-  const { bringIn: t } = useDeviceTexts();
-  const { page } = useFirstTexts();
+  const { bringIn: t } = useTexts("device");
+  const { page } = useTexts("first");
   const [done, end] = useState<readonly string[] | null>(null);
   return (
     <dialog ref={dialog} className="bring-in" aria-label={t.title(name)} onKeyDown={(event) => event.stopPropagation()}

@@ -2,7 +2,7 @@ import { create } from "zustand";
 import { isLanguage, type Language } from "../../../i18n/languages.ts";
 import { isNcOutput, NC_OUTPUTS, type NcOutput } from "../../../program/machine/nc-output.ts";
 import type { Control } from "../../../program/tools/plane-types.ts";
-import { fetchFirstTexts, fetchTexts, lacksTexts } from "./loaded-texts.ts";
+import { fetchAsked } from "./loaded-texts.ts";
 
 /** Choices of this device, beside the work itself. Kept in the browser's local storage. */
 export interface Settings {
@@ -160,8 +160,7 @@ export const useSettings = create<Settings>(() => readSettings(stored()));
 
 /** Changes the screen language once its texts are here; where they cannot be fetched it stays as it is, and that is said. */
 export async function changeLanguage(language: Language): Promise<void> {
-  await fetchFirstTexts(language);
-  while (lacksTexts(language)) await fetchTexts(language);
+  await fetchAsked(language);
   changeSettings({ language });
 }
 

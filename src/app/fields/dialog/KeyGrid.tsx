@@ -1,5 +1,5 @@
 import type { PointerEvent, ReactNode } from "react";
-import type { DialogTexts } from "../../../i18n/en/dialog.ts";
+import type { DialogTexts } from "../../../i18n/en/workplace/dialog.ts";
 import { erase, insert, toggleSign, type EntryState } from "./number-entry.ts";
 
 /** One key of a keypad. */
