@@ -1,5 +1,6 @@
 import { readFile } from "node:fs/promises";
-import { LANGUAGES } from "../src/i18n/languages.ts";
+import { LANGUAGES, ncLanguageOf } from "../src/i18n/languages.ts";
+import { formatNumber } from "../src/i18n/number.ts";
 import { built } from "./pages/built.ts";
 import { ambiguous, controls } from "./pages/controls.ts";
 import { expect, test } from "./pages/test.ts";
@@ -14,7 +15,7 @@ for (const language of LANGUAGES) {
     await expect(page.locator("html")).toHaveAttribute("lang", language);
     await turnwise.start.beginWithExample(812);
     await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
-    await dialog.set("Q463", language === "de" || language === "fr" ? "2,4" : "2.4");
+    await dialog.set("Q463", formatNumber(language, 2.4));
     await effect.proved();
     await expect(lathe.picture).toBeVisible();
     expect.soft(ambiguous(await controls(page.locator("body")))).toEqual([]);
@@ -22,12 +23,12 @@ for (const language of LANGUAGES) {
     await dialog.type("x");
     await expect(dialog.messages).not.toBeEmpty();
     await page.keyboard.press("Escape");
-    await program.chooseLabels(language);
+    await program.chooseLabels(ncLanguageOf(language));
     expect(await program.copy()).toContain("Q463=+2.4 ");
     await expect(program.confirmation).toBeVisible();
     await page.reload();
     await expect(page.locator("html")).toHaveAttribute("lang", language);
-    await expect(dialog.line("Q463")).toContainText(language === "de" || language === "fr" ? "2,4" : "2.4");
+    await expect(dialog.line("Q463")).toContainText(formatNumber(language, 2.4));
   });
 }
 

@@ -1,8 +1,9 @@
 import { expect, test } from "./pages/test.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
+import { formatNumber } from "../src/i18n/number.ts";
 import { tabTo } from "./pages/keyboard.ts";
 import { looksRight } from "./pages/look.ts";
-import { toolWords } from "./pages/tool-words.ts";
+import { words } from "./pages/words.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
 test("a tool of one's own by keyboard alone: made, kept over a reload, offered in the set-up and run with", async ({ page }) => {
@@ -101,7 +102,7 @@ test("TO by its picture, columns that a type has no use for, and a sum", async (
   await expect(tools.drawing.locator("path.shape-holder")).toBeAttached();
 });
 
-const { codes, files } = toolWords.en;
+const codes = words("en", "tool-codes"), files = words("en", "tool-files");
 
 test("out and in again, as JSON and as column text", async ({ page }) => {
   const { tools, t } = await Turnwise.open(page);
@@ -272,7 +273,7 @@ for (const language of LANGUAGES) {
     const { tools } = await Turnwise.open(page, { language });
     await tools.open();
     await tools.cell("RS").fill("0.5");
-    await expect(tools.row(1)).toContainText(language === "de" || language === "fr" ? "0,5" : "0.5");
+    await expect(tools.row(1)).toContainText(formatNumber(language, 0.5));
     await tools.direction(3).check();
     await tools.duplicate.click();
     await tools.remove.click();

@@ -3,6 +3,7 @@ import { join } from "node:path";
 import type { CourseIndex } from "../src/app/records/course/content.ts";
 import { lessonSchema, type Lesson } from "../src/course/lesson.ts";
 import { taskSchema, type Task } from "../src/course/task.ts";
+import { inScreenLanguage, type InLanguages } from "../src/course/words.ts";
 import { LANGUAGES, type Language } from "../src/i18n/languages.ts";
 
 /** The files of a folder of the course. Runs in the project folder. */
@@ -13,10 +14,10 @@ const files = (folder: string): readonly unknown[] =>
       JSON.parse(readFileSync(join("src", "course", folder, name), "utf8"))
     );
 
-/** What ships with the page is written in every language. */
-function told<T>(words: Readonly<Partial<Record<Language, T | undefined>>>, language: Language, id: string): T {
-  const found = words[language];
-  if (found === undefined) throw new Error(`${id} says nothing in ${language}`);
+/** What ships with the page says something. */
+function told<T>(words: InLanguages<T>, language: Language, id: string): T {
+  const found = inScreenLanguage(words, language);
+  if (found === undefined) throw new Error(`${id} says nothing`);
   return found;
 }
 

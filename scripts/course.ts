@@ -5,11 +5,12 @@ import { judge } from "../src/course/judge/judge.ts";
 import type { Answer, TaskMark } from "../src/course/judge/judgement.ts";
 import { refuses } from "../src/course/judge/refuses.ts";
 import { wantedPart } from "../src/course/wanted-part.ts";
-import { LESSON_LANGUAGES, lessonProblems, taskProblems } from "../src/course/whole.ts";
+import { lessonProblems, taskProblems } from "../src/course/whole.ts";
 import { lessonSchema } from "../src/course/lesson.ts";
 import { TASK_FORMAT, taskSchema, type Task } from "../src/course/task.ts";
 import { areaOf } from "../src/kernel/area/area.ts";
 import { toDiameter } from "../src/kernel/units.ts";
+import { LESSON_LANGUAGES } from "../src/i18n/languages.ts";
 import { message } from "../src/i18n/message.ts";
 
 const write = (text = "") => void process.stdout.write(`${text}\n`);

@@ -1,12 +1,7 @@
 import { createHash } from "node:crypto";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, sep } from "node:path";
-import { build, type Plugin, type Rolldown } from "vite";
-import { page as de } from "../src/i18n/de/page.ts";
-import { page as en } from "../src/i18n/en/page.ts";
-import { page as fr } from "../src/i18n/fr/page.ts";
-import type { Language } from "../src/i18n/languages.ts";
-import { page as zh } from "../src/i18n/zh/page.ts";
+import { build, runnerImport, type Plugin, type Rolldown } from "vite";
 
 /** A file of the site as workbox takes it: `revision` is null where the name itself changes with what is in it. */
 export interface KeptFile {
@@ -33,49 +28,6 @@ export function keptFiles(folder: string): readonly KeptFile[] {
     return { url, revision: url.startsWith("assets/") ? null : hash.slice(0, 16), integrity: `sha384-${hash}` };
   });
 }
-
-/** The value of a colour of the light page. */
-const colour = (name: string): string =>
-  new RegExp(`--${name}: (#[0-9a-f]{6});`).exec(readFileSync(join("src", "app", "base", "styles", "tokens.css"), "utf8"))?.[1] ?? "";
-
-const icon = (name: string, size: number, purpose: "any" | "maskable") => ({
-  src: `icons/${name}-${size}.png`,
-  sizes: `${size}x${size}`,
-  type: "image/png",
-  purpose,
-});
-
-/** What a home screen is told; every address in it is relative, so that the site may lie in any folder. */
-export function webManifest(language: Language): object {
-  const t = { en, de, fr, zh }[language];
-  const way = (name: string, address: string) => ({ name, url: `./#/${address}`, icons: [icon("icon", 192, "any")] });
-  return {
-    id: "./",
-    start_url: "./",
-    scope: "./",
-    lang: language,
-    dir: "ltr",
-    name: t.product,
-    short_name: t.product,
-    description: t.promise,
-    display: "standalone",
-    theme_color: colour("page"),
-    background_color: colour("page"),
-    categories: ["productivity", "utilities", "education"],
-    icons: [
-      { src: "icon.svg", sizes: "any", type: "image/svg+xml", purpose: "any" },
-      icon("icon", 192, "any"),
-      icon("icon", 512, "any"),
-      icon("maskable", 192, "maskable"),
-      icon("maskable", 512, "maskable"),
-    ],
-    shortcuts: [way(t.newProgram, "new"), way(t.start.which, "which"), way(t.tools.title, "tools")],
-  };
-}
-
-/** The name of the manifest in a language. */
-const manifestName = (language: Language): string => `manifest.${language}.webmanifest`;
-const LANGUAGES: readonly Language[] = ["en", "de", "fr", "zh"];
 
 /** The service worker as one script that holds the list of the site. */
 async function serviceWorker(root: string, files: readonly KeptFile[]): Promise<string> {
@@ -113,18 +65,20 @@ export function offline(): Plugin {
       root = config.root;
       folder = join(config.root, config.build.outDir);
     },
-    transformIndexHtml: () => [{ tag: "link", attrs: { rel: "manifest", href: `./${manifestName("en")}` }, injectTo: "head" }, {
+    transformIndexHtml: () => [{ tag: "link", attrs: { rel: "manifest", href: "./manifest.en.webmanifest" }, injectTo: "head" }, {
       tag: "link",
       attrs: { rel: "apple-touch-icon", href: "./icons/apple-touch-icon.png" },
       injectTo: "head",
     }],
-    generateBundle() {
+    async generateBundle() {
       // The server in one file, for those who have nothing but the folder.
       this.emitFile({ type: "asset", fileName: "serve.mjs", source: readFileSync(join(root, "scripts", "serve.mjs"), "utf8") });
-      for (const language of LANGUAGES) {
-        const source = JSON.stringify(webManifest(language), null, 1);
-        this.emitFile({ type: "asset", fileName: manifestName(language), source });
-      }
+      const from = join(root, "scripts", "web-manifest.ts");
+      const { module } = await runnerImport<{ manifests: () => Readonly<Record<string, string>> }>(from, {
+        configFile: false,
+        logLevel: "error",
+      });
+      for (const [fileName, source] of Object.entries(module.manifests())) this.emitFile({ type: "asset", fileName, source });
     },
     closeBundle: {
       order: "post",

@@ -34,9 +34,10 @@ function filesOf(name, seen = new Set()) {
 const sum = (files) => [...files].reduce((total, file) => total + weight(file), 0);
 const union = (names) => new Set(names.flatMap((name) => [...filesOf(name)]));
 
+const languages = Object.keys(manifest).flatMap((name) => /^src\/i18n\/(\w+)\/first\.ts$/.exec(name)?.[1] ?? []);
 /** The language whose texts weigh most. */
 function largest(namesOf) {
-  const sets = ["en", "de", "fr", "zh"].map((language) => union(namesOf(language)));
+  const sets = languages.map((language) => union(namesOf(language)));
   return sets.sort((a, b) => sum(b) - sum(a))[0];
 }
 
@@ -56,7 +57,7 @@ const dialog = new Set([
   ...first,
   ...union(["src/features/start/begin.ts", "src/app/shell/Workplace.tsx"]),
   ...withImports(`assets/${worker}`),
-  ...largest((l) => [`src/i18n/${l}/index.ts`, `virtual:cycle-menu/${l}`]),
+  ...largest((l) => [`src/i18n/${l}/parts.ts`, `src/i18n/${l}/workplace.ts`, `virtual:cycle-menu/${l}`]),
 ]);
 
 const kB = (bytes) => `${(bytes / 1000).toFixed(1).padStart(7)} kB`;

@@ -12,11 +12,11 @@ const RULES: Record<string, Rule> = {
   nc: { values: [] },
   "control-file": { values: [] },
   cycles: { values: ["kernel", "zod"] },
-  program: { values: ["kernel", "cycles", "nc", "zod"] },
+  program: { values: ["kernel", "cycles", "nc", "zod"], types: ["i18n"] },
   sim: { values: ["kernel"] },
   view: { values: ["kernel", "sim"], types: ["cycles"] },
   report: { values: ["kernel", "cycles", "nc", "program", "sim", "i18n"] },
-  course: { values: ["kernel", "cycles", "nc", "program", "sim", "report", "zod"] },
+  course: { values: ["kernel", "cycles", "nc", "program", "sim", "report", "i18n", "zod"] },
   i18n: { values: [], types: ["kernel", "cycles", "nc", "program"] },
   examples: { values: [] },
 };
@@ -188,15 +188,15 @@ describe("what the start page waits for", () => {
     "src/cycles/index.ts",
     "src/program/job/job.ts",
     "src/i18n/index.ts",
-    "src/i18n/en/index.ts",
-    "src/app/base/settings/use-texts.ts",
+    "src/i18n/en/workplace.ts",
     "src/app/document/reading.ts",
     "src/app/calculation/client.ts",
   ])("not %s", (name) => expect(reached.get(name)).toBe(undefined));
 
   test("nothing of the catalogue, no strategy, no text of a dialog", () => {
-    const late = /^src\/(?:cycles|sim|report|kernel\/strategy|i18n\/(?:en|de|fr|zh))\//;
+    const late = /^src\/(?:cycles|sim|report|kernel\/strategy|i18n\/\w+)\//;
     expect([...reached].filter(([path]) => late.test(path))).toEqual([]);
+    expect([...reached.keys()].filter((path) => /\buseTexts\(\)/.test(files.get(path)?.text ?? ""))).toEqual([]);
   });
 
   test("its files are followed at all", () => {

@@ -2,9 +2,9 @@ import { describe, expect, test } from "vitest";
 import { catalogue, cycleByNumber } from "../src/cycles/index.ts";
 import type { ParamTextId } from "../src/cycles/index.ts";
 import type { Kind } from "../src/cycles/params.ts";
-import { typeset } from "../src/i18n/fr/typeset.ts";
+import { typeset } from "../src/i18n/fr/typography/typeset.ts";
 import { texts } from "../src/i18n/index.ts";
-import { type Language, LANGUAGES } from "../src/i18n/languages.ts";
+import { type Language, LANGUAGES, NC_LANGUAGES } from "../src/i18n/languages.ts";
 import { ncLabels, ncWords } from "../src/i18n/nc-labels.ts";
 import { checkNumber, readText } from "../src/program/values/field.ts";
 import { RECALLED } from "./recalled-lists.ts";
@@ -239,7 +239,7 @@ describe.each(cycles)("cycle %i", (number, cycle) => {
 
   test("has the printed labels and names in NC text, and tags the others", () => {
     for (const [q, p] of params) {
-      for (const language of LANGUAGES) expect(ncLabels(language).label(p.text), q).toMatch(/^[A-Z0-9][A-Z0-9 .,'/()-]+$/);
+      for (const language of NC_LANGUAGES) expect(ncLabels(language).label(p.text), q).toMatch(/^[A-Z0-9][A-Z0-9 .,'/()-]+$/);
       if (!isPrinted) continue;
       expect([q, ncLabels("fr").label(p.text)]).toEqual([q, FRENCH_LABELS[`${number}/${q}`] ?? FRENCH_LABELS[q]]);
       const word = ncWords("en").params[p.text as ParamTextId];
@@ -247,7 +247,7 @@ describe.each(cycles)("cycle %i", (number, cycle) => {
       if (ENGLISH_LABELS[q] !== undefined) expect([q, word.text]).toEqual([q, ENGLISH_LABELS[q]]);
       expect(ncWords("de").params[p.text as ParamTextId].evidence, q).toBe("K2");
     }
-    for (const language of LANGUAGES) expect(ncLabels(language).cycleName(number)).not.toBe("");
+    for (const language of NC_LANGUAGES) expect(ncLabels(language).cycleName(number)).not.toBe("");
     const name = ncWords("en").cycles[number as 812];
     expect([name.evidence === "A", NAMED[number] ?? name.text]).toEqual([number === 820 || number in NAMED, name.text]);
     expect(cycle.partly !== undefined).toBe(number in NAMED);

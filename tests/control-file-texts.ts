@@ -1,4 +1,5 @@
 import * as fc from "fast-check";
+import { NC_LANGUAGES } from "../src/i18n/languages.ts";
 import { cuttingCycles } from "../src/cycles/index.ts";
 import type { Param } from "../src/cycles/params.ts";
 import type { Statement } from "../src/nc/statement.ts";
@@ -55,7 +56,7 @@ export const typedJobs: fc.Arbitrary<SetJob> = fc.constantFrom(...cuttingCycles)
     start: fc.record({ x: length, z: length }),
     name: fc.oneof(fc.constant("PART"), fc.string({ maxLength: 12, unit: "binary" })),
     parameters: fc.oneof(fc.constant({}), length.map((Q5) => ({ Q5 }))),
-    ncLanguage: fc.constantFrom("en" as const, "de" as const, "fr" as const, "zh" as const),
+    ncLanguage: fc.constantFrom(...NC_LANGUAGES),
     perRevolution: fc.boolean(),
     layout: fc.constantFrom(...JOB_LAYOUTS),
     output: outputs,

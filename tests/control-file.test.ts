@@ -3,6 +3,7 @@ import { describe, expect, test } from "vitest";
 import { refusals } from "../src/control-file/refusals.ts";
 import { cuttingCycles } from "../src/cycles/index.ts";
 import { examples } from "../src/examples/index.ts";
+import { NC_LANGUAGES } from "../src/i18n/languages.ts";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { isoProgramText } from "../src/nc/iso/print-iso.ts";
 import { parse } from "../src/nc/parse.ts";
@@ -29,7 +30,6 @@ function refusedAsIso(klartext: string): readonly string[] {
   const lines = text.split(/\r\n|\n|\r/);
   return refusals(text, "iso").map((r) => `${r.code} ${JSON.stringify(r.data)} in line ${r.line}: ${lines[r.line - 1]}`);
 }
-const LANGUAGES = ["en", "de", "fr", "zh"] as const;
 /** File layouts: the look of the manual is none. */
 const FILES: readonly Style[] = [...(["tnc640", "tnc7"] as const).map((name) => LAYOUTS[name]), {
   ...LAYOUTS.tnc7,
@@ -43,7 +43,7 @@ const FILES: readonly Style[] = [...(["tnc640", "tnc7"] as const).map((name) => 
 describe("a control loads what the printer prints", () => {
   test.each(cuttingCycles.map((c) => [c.number, c] as const))("the example of cycle %i in each language, layout and setting",
     (_, cycle) => {
-      for (const ncLanguage of LANGUAGES) {
+      for (const ncLanguage of NC_LANGUAGES) {
         for (const layout of JOB_LAYOUTS) {
           for (const output of Object.values(NC_OUTPUTS)) {
             const job: SetJob = { ...exampleJob(cycle), ncLanguage, layout, output };
@@ -82,7 +82,7 @@ describe("a control loads what the printer prints", () => {
     );
   });
 
-  test.each([...LANGUAGES])("a new program, named as in %s", (language) => {
+  test.each([...NC_LANGUAGES])("a new program, named as in %s", (language) => {
     for (const name of ["", "Welle 7/2", "轴 1", "a:b*c?", "é".repeat(60)])
       expect(refused(emptyProgram(`${name} ${language}`, { outside: "75", bore: "0", length: "100", allowance: "1" }))).toEqual([]);
   });

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { verified } from "../scripts/verify.ts";
 import { cuttingCycles } from "../src/cycles/index.ts";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
-import { LANGUAGES } from "../src/i18n/languages.ts";
+import { NC_LANGUAGES } from "../src/i18n/languages.ts";
 import { parse } from "../src/nc/parse.ts";
 import { issuesOf, print } from "../src/nc/program.ts";
 import { exampleJob } from "../src/program/job/job.ts";
@@ -18,8 +18,8 @@ const tools = { tools: shippedTools, refused: new Map() };
 
 describe.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the example of cycle %i", (number, cycle) => {
   test.each(["tnc640", "tnc7"] as const)("comes back to the byte in the layout of %s, in every label language", (layout) => {
-    for (const language of LANGUAGES) {
-      const text = printJob({ ...exampleJob(cycle), layout, ncLanguage: language }, ncLabels(language));
+    for (const ncLanguage of NC_LANGUAGES) {
+      const text = printJob({ ...exampleJob(cycle), layout, ncLanguage }, ncLabels(ncLanguage));
       const program = parse(text);
       expect(print(program)).toBe(text);
       expect(issuesOf(program)).toEqual([]);

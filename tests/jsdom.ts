@@ -3,15 +3,15 @@ import { texts } from "../src/i18n/index.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { menuWords } from "../src/i18n/menu-words.ts";
 import "../src/app/shell/slots.ts";
-import { provideTableTexts } from "../src/app/base/settings/use-table-texts.ts";
-import { provideFirstTexts, provideTexts } from "../src/app/base/settings/loaded-texts.ts";
+import { partOf } from "../src/app/base/settings/loaded-texts.ts";
 
 /** For what never comes: on a slow machine a component may take long to show what it was given, ms. */
 configure({ asyncUtilTimeout: 60_000 });
 
 /** Component tests have all languages at hand; the page fetches the one it shows. */
 for (const language of LANGUAGES) {
-  provideTexts(language, texts(language));
-  provideTableTexts(language, texts(language));
-  provideFirstTexts(language, { ...texts(language), menu: menuWords(language) });
+  const all = texts(language);
+  partOf("workplace").provide(language, all);
+  partOf("tables").provide(language, all);
+  partOf("first").provide(language, { ...all, menu: menuWords(language) });
 }

@@ -3,7 +3,8 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterEach, beforeEach, expect, test } from "vitest";
-import { isKept, keptFiles, webManifest } from "../scripts/offline.ts";
+import { isKept, keptFiles } from "../scripts/offline.ts";
+import { webManifest } from "../scripts/web-manifest.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { projectFile, projectPath } from "./sources.ts";
 

@@ -1,9 +1,7 @@
 import { expect, type Locator } from "@playwright/test";
-import { clamping as de } from "../../src/i18n/de/clamping.ts";
-import { clamping as en, type ClampingTexts } from "../../src/i18n/en/clamping.ts";
-import { clamping as fr } from "../../src/i18n/fr/clamping.ts";
-import { clamping as zh } from "../../src/i18n/zh/clamping.ts";
+import type { ClampingTexts } from "../../src/i18n/en/clamping.ts";
 import type { Context } from "./turnwise.ts";
+import { words } from "./words.ts";
 
 type Word = keyof ClampingTexts["words"];
 
@@ -11,7 +9,7 @@ type Word = keyof ClampingTexts["words"];
 export class ClampingPage {
   readonly words: ClampingTexts;
   constructor(private readonly context: Context) {
-    this.words = { en, de, fr, zh }[context.language];
+    this.words = words(context.language, "clamping");
   }
 
   /** The dialog of a program, opened by the button below it. */

@@ -1,16 +1,14 @@
 import type { Locator } from "@playwright/test";
-import { compare as de } from "../../src/i18n/de/compare.ts";
-import { compare as en, type CompareTexts } from "../../src/i18n/en/compare.ts";
-import { compare as fr } from "../../src/i18n/fr/compare.ts";
-import { compare as zh } from "../../src/i18n/zh/compare.ts";
+import type { CompareTexts } from "../../src/i18n/en/compare.ts";
 import type { Context } from "./turnwise.ts";
+import { words } from "./words.ts";
 
 /** The open program against another one, block by block in meaning. */
 export class Comparison {
   private readonly words: CompareTexts;
 
   constructor(private readonly context: Context) {
-    this.words = { en, de, fr, zh }[context.language];
+    this.words = words(context.language, "compare");
   }
 
   get dialog(): Locator {

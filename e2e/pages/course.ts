@@ -1,15 +1,13 @@
 import { expect, type Locator } from "@playwright/test";
-import { course as de } from "../../src/i18n/de/course.ts";
-import { course as en, type CourseTexts } from "../../src/i18n/en/course.ts";
-import { course as fr } from "../../src/i18n/fr/course.ts";
-import { course as zh } from "../../src/i18n/zh/course.ts";
+import type { CourseTexts } from "../../src/i18n/en/course.ts";
 import type { Context } from "./turnwise.ts";
+import { words } from "./words.ts";
 
 /** The course: the list of its lessons, and the open lesson. */
 export class Course {
   readonly words: CourseTexts;
   constructor(private readonly context: Context) {
-    this.words = { en, de, fr, zh }[context.language];
+    this.words = words(context.language, "course");
   }
 
   /** The way into it on the start page. */

@@ -1,15 +1,13 @@
 import { expect, type Locator } from "@playwright/test";
-import { handed as de } from "../../src/i18n/de/handed.ts";
-import { handed as en, type HandedTexts } from "../../src/i18n/en/handed.ts";
-import { handed as fr } from "../../src/i18n/fr/handed.ts";
-import { handed as zh } from "../../src/i18n/zh/handed.ts";
+import type { HandedTexts } from "../../src/i18n/en/handed.ts";
 import type { Context } from "./turnwise.ts";
+import { words } from "./words.ts";
 
 /** Works that are handed on: the ways out, what a link or a file holds, and the tools that came with a work. */
 export class Handing {
   readonly words: HandedTexts;
   constructor(private readonly context: Context) {
-    this.words = { en, de, fr, zh }[context.language];
+    this.words = words(context.language, "handed");
   }
 
   /** The dialog of the ways out. */

@@ -1,5 +1,5 @@
 import type { Locator } from "@playwright/test";
-import type { OwnTexts } from "../../src/i18n/en/own.ts";
+import type { OwnTexts } from "../../src/i18n/en/tables/own.ts";
 import type { Context } from "./turnwise.ts";
 
 type OwnCell = keyof OwnTexts["cells"];

@@ -1,4 +1,5 @@
 import { expect, type Download, type Locator } from "@playwright/test";
+import type { NcLanguage } from "../../src/i18n/languages.ts";
 import type { Context } from "./turnwise.ts";
 
 /** The program as the control writes it. */
@@ -63,7 +64,7 @@ export class ProgramText {
     await this.panel.getByRole("combobox", { name: this.context.t.page.text.layout, exact: true }).selectOption(layout);
   }
 
-  async chooseLabels(language: "en" | "de" | "fr" | "zh"): Promise<void> {
+  async chooseLabels(language: NcLanguage): Promise<void> {
     await this.panel.getByRole("combobox", { name: this.context.t.page.text.languageLong, exact: true }).selectOption(language);
   }
 }

@@ -1,15 +1,7 @@
 import type { Download, Locator } from "@playwright/test";
-import { device as de } from "../../src/i18n/de/device.ts";
-import { device as en } from "../../src/i18n/en/device.ts";
-import { device as fr } from "../../src/i18n/fr/device.ts";
-import { device as zh } from "../../src/i18n/zh/device.ts";
-import { machineTexts as deMachine } from "../../src/i18n/de/machine.ts";
-import { machineTexts as enMachine } from "../../src/i18n/en/machine.ts";
-import { machineTexts as frMachine } from "../../src/i18n/fr/machine.ts";
-import { machineTexts as zhMachine } from "../../src/i18n/zh/machine.ts";
-import { LANGUAGE_NAMES, type Language } from "../../src/i18n/languages.ts";
-import { texts } from "../../src/i18n/index.ts";
+import { SCREEN_LANGUAGES, type Language } from "../../src/i18n/languages.ts";
 import type { Context } from "./turnwise.ts";
+import { words } from "./words.ts";
 
 /** Language, appearance and motion, and what is kept on the device. */
 export class SettingsPage {
@@ -29,9 +21,9 @@ export class SettingsPage {
   async chooseLanguage(language: Language): Promise<void> {
     await this.open();
     await this.dialog.getByRole("combobox", { name: this.context.t.page.screenLanguage, exact: true }).selectOption({
-      label: LANGUAGE_NAMES[language],
+      label: SCREEN_LANGUAGES[language].name,
     });
-    await this.context.page.getByRole("button", { name: texts(language).page.close, exact: true }).click();
+    await this.context.page.getByRole("button", { name: words(language, "workplace").page.close, exact: true }).click();
   }
 
   /** Makes all letters larger, or as large as usual, with the dialog open. */
@@ -41,7 +33,7 @@ export class SettingsPage {
 
   /** Machine data: the preset, the values, the file out and in. */
   get machine(): Locator {
-    const { title } = { en: enMachine, de: deMachine, fr: frMachine, zh: zhMachine }[this.context.language];
+    const { title } = words(this.context.language, "machine");
     return this.dialog.getByRole("region", { name: title, exact: true });
   }
 
@@ -65,6 +57,6 @@ export class SettingsPage {
   }
 
   private get device() {
-    return { en, de, fr, zh }[this.context.language].here;
+    return words(this.context.language, "device").here;
   }
 }

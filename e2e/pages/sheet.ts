@@ -1,15 +1,13 @@
 import { expect, type Locator } from "@playwright/test";
-import { sheet as de } from "../../src/i18n/de/sheet.ts";
-import { sheet as en, type SheetTexts } from "../../src/i18n/en/sheet.ts";
-import { sheet as fr } from "../../src/i18n/fr/sheet.ts";
-import { sheet as zh } from "../../src/i18n/zh/sheet.ts";
+import type { SheetTexts } from "../../src/i18n/en/sheet.ts";
 import type { Context } from "./turnwise.ts";
+import { words } from "./words.ts";
 
 /** The setup sheet of the open work. */
 export class SetupSheetPage {
   readonly words: SheetTexts;
   constructor(private readonly context: Context) {
-    this.words = { en, de, fr, zh }[context.language];
+    this.words = words(context.language, "sheet");
   }
 
   /** Opens it by the button below the program. */

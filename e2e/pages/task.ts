@@ -1,15 +1,13 @@
 import type { Locator } from "@playwright/test";
-import { courseTask as de } from "../../src/i18n/de/course-task.ts";
-import { courseTask as en, type CourseTaskTexts } from "../../src/i18n/en/course-task.ts";
-import { courseTask as fr } from "../../src/i18n/fr/course-task.ts";
-import { courseTask as zh } from "../../src/i18n/zh/course-task.ts";
+import type { CourseTaskTexts } from "../../src/i18n/en/course-task.ts";
 import type { Context } from "./turnwise.ts";
+import { words } from "./words.ts";
 
 /** A task of the course over the work that it is: what is asked, the goals, the check, and what became of it. */
 export class TaskPanel {
   readonly words: CourseTaskTexts;
   constructor(private readonly context: Context) {
-    this.words = { en, de, fr, zh }[context.language];
+    this.words = words(context.language, "course-task");
   }
 
   /** The whole panel: beside the work, or unfolded on a small screen in its place. */

@@ -1,15 +1,13 @@
 import { expect, type Locator } from "@playwright/test";
-import { courseTeach as de } from "../../src/i18n/de/course-teach.ts";
-import { courseTeach as en, type CourseTeachTexts } from "../../src/i18n/en/course-teach.ts";
-import { courseTeach as fr } from "../../src/i18n/fr/course-teach.ts";
-import { courseTeach as zh } from "../../src/i18n/zh/course-teach.ts";
+import type { CourseTeachTexts } from "../../src/i18n/en/course-teach.ts";
 import type { Context } from "./turnwise.ts";
+import { words } from "./words.ts";
 
 /** What an instructor does: makes a task of the open program, hands it out, reads results. */
 export class Teaching {
   readonly words: CourseTeachTexts;
   constructor(private readonly context: Context) {
-    this.words = { en, de, fr, zh }[context.language];
+    this.words = words(context.language, "course-teach");
   }
 
   /** The form over the open program. */

@@ -1,7 +1,7 @@
 import type { Locator } from "@playwright/test";
 import type { CellName, HolderCell, ToolColumn } from "../../src/program/tools/tool-columns.ts";
 import { plainText } from "./pattern.ts";
-import { toolWords } from "./tool-words.ts";
+import { words } from "./words.ts";
 import type { Context } from "./turnwise.ts";
 
 /** The tool table: the rows of the device on one side, the columns of the open row on the other. */
@@ -151,7 +151,8 @@ export class ToolTable {
   }
 
   private get words() {
-    return toolWords[this.context.language];
+    const { language } = this.context;
+    return { codes: words(language, "tool-codes"), files: words(language, "tool-files") };
   }
 
   private button(name: string): Locator {

@@ -1,5 +1,5 @@
 import type { Page } from "@playwright/test";
-import { texts, type TableTexts, type Texts } from "../../src/i18n/index.ts";
+import type { TableTexts, Texts } from "../../src/i18n/index.ts";
 import type { Language } from "../../src/i18n/languages.ts";
 import { ClampingPage } from "./clamping.ts";
 import { Comparison } from "./comparison.ts";
@@ -20,6 +20,7 @@ import { Start } from "./start.ts";
 import { Teaching } from "./teaching.ts";
 import { TaskPanel } from "./task.ts";
 import { ToolTable } from "./tools.ts";
+import { words } from "./words.ts";
 import { WorksList } from "./works.ts";
 
 /** What every page object is made of: the browser page and the texts of its screen language. */
@@ -64,7 +65,7 @@ export class Turnwise {
   readonly t: Texts & TableTexts;
 
   private constructor(readonly page: Page, readonly language: Language) {
-    this.t = texts(language);
+    this.t = { ...words(language, "workplace"), ...words(language, "tables") };
     const context: Context = { page, t: this.t, language };
     this.start = new Start(context);
     this.dialog = new Dialog(context);

@@ -1,17 +1,15 @@
 import type { Download, Locator } from "@playwright/test";
-import { device as de } from "../../src/i18n/de/device.ts";
-import { device as en, type DeviceTexts } from "../../src/i18n/en/device.ts";
-import { device as fr } from "../../src/i18n/fr/device.ts";
-import { device as zh } from "../../src/i18n/zh/device.ts";
+import type { DeviceTexts } from "../../src/i18n/en/device.ts";
 import { counted } from "./pattern.ts";
 import type { Context } from "./turnwise.ts";
+import { words } from "./words.ts";
 
 /** The list of all works that are kept on the device. */
 export class WorksList {
   private readonly words: DeviceTexts["works"];
 
   constructor(private readonly context: Context) {
-    this.words = { en, de, fr, zh }[context.language].works;
+    this.words = words(context.language, "device").works;
   }
 
   /** Opens the list from the start page. */

@@ -1,3 +1,4 @@
+import { LESSON_LANGUAGES } from "../i18n/languages.ts";
 import { run } from "../program/run/run.ts";
 import { parse } from "../nc/parse.ts";
 import { shippedTools } from "../program/tools/shipped-tools.ts";
@@ -13,9 +14,6 @@ import { wantedPart } from "./wanted-part.ts";
 import { promptsText, solutionValues } from "./prompts.ts";
 import type { Lesson } from "./lesson.ts";
 import type { Task } from "./task.ts";
-
-/** The languages that everything which ships with the page is told in. */
-export const LESSON_LANGUAGES = ["en", "de", "fr", "zh"] as const;
 
 /** Name of a file without its folders and its ending. */
 const stem = (file: string) => file.replace(/^.*[\\/]/, "").replace(/\.json$/, "");

@@ -1,12 +1,23 @@
 import { z } from "zod/mini";
+import { LESSON_LANGUAGES, type Language, type LessonLanguage } from "../i18n/languages.ts";
 
 /** Longest text of a lesson or a task, characters. */
 const LONGEST = 2000;
 export const words = z.string().check(z.minLength(1), z.maxLength(LONGEST));
 
-/**
- * A schema in the languages of the screen. Lessons and tasks that ship with the page have all of them; a task of an instructor has one at
- * least, and what is missing is shown in one that is there.
- */
+/** Something in the languages of lessons; what ships with the page is there in all of them, what an instructor wrote in one at least. */
+export type InLanguages<T> = Readonly<Partial<Record<LessonLanguage, T | undefined>>>;
+
+/** Its schema. */
 export const inLanguages = <S extends z.core.$ZodType>(schema: S) =>
-  z.object({ en: z.optional(schema), de: z.optional(schema), fr: z.optional(schema), zh: z.optional(schema) });
+  z.object(Object.fromEntries(LESSON_LANGUAGES.map((each) => [each, z.optional(schema)])) as Record<LessonLanguage, z.ZodMiniOptional<S>>);
+
+/** The language that something is shown in: that of the screen where it is there, or else the first that it has; undefined without any. */
+export const shownLanguageOf = (said: InLanguages<unknown>, screen: Language): LessonLanguage | undefined =>
+  [screen, ...LESSON_LANGUAGES].find((each): each is LessonLanguage => said[each as LessonLanguage] !== undefined);
+
+/** What it says there. */
+export function inScreenLanguage<T>(said: InLanguages<T>, screen: Language): T | undefined {
+  const language = shownLanguageOf(said, screen);
+  return language && said[language];
+}

@@ -1,33 +1,29 @@
-import { de } from "./de/index.ts";
-import { deTables } from "./de/tables.ts";
-import type { ApproachTexts } from "./en/approach.ts";
-import type { ChooserTexts } from "./en/chooser.ts";
-import type { ContourTexts } from "./en/contour.ts";
+import type { ApproachTexts } from "./en/workplace/approach.ts";
+import type { ChooserTexts } from "./en/first/chooser.ts";
+import type { ContourTexts } from "./en/workplace/contour.ts";
 import type { CyclesTexts } from "./cycle-text.ts";
-import type { DialogTexts } from "./en/dialog.ts";
-import type { HelpTexts } from "./en/help.ts";
-import type { EditorTexts } from "./en/editor.ts";
-import type { FindingsTexts } from "./en/findings.ts";
-import { en } from "./en/index.ts";
-import { enTables } from "./en/tables.ts";
-import type { LatheTexts } from "./en/lathe.ts";
+import type { DialogTexts } from "./en/workplace/dialog.ts";
+import type { HelpTexts } from "./en/workplace/help.ts";
+import type { EditorTexts } from "./en/workplace/editor.ts";
+import type { FindingsTexts } from "./en/workplace/findings.ts";
+import type { LatheTexts } from "./en/workplace/lathe.ts";
 import type { MessagesTexts } from "./message-texts.ts";
-import type { OperationsTexts } from "./en/operations.ts";
-import type { OwnTexts } from "./en/own.ts";
-import type { PageTexts } from "./en/page.ts";
+import type { OperationsTexts } from "./en/workplace/operations.ts";
+import type { OwnTexts } from "./en/tables/own.ts";
+import type { PageTexts } from "./en/first/page.ts";
 import type { ParamsTexts } from "./param-text.ts";
-import type { SetupTexts } from "./en/setup.ts";
-import type { ToolsTexts } from "./en/tools.ts";
-import { fr } from "./fr/index.ts";
-import { frTables } from "./fr/tables.ts";
-import type { Language } from "./languages.ts";
-import { zh } from "./zh/index.ts";
-import { zhTables } from "./zh/tables.ts";
+import type { SetupTexts } from "./en/workplace/setup.ts";
+import type { ToolsTexts } from "./en/tables/tools.ts";
+import { LANGUAGES, type Language } from "./languages.ts";
 
-/** The texts of one screen language that the workplaces show, by area. A text missing in a language is a compile error. */
-export interface Texts {
+/** What the first screen says, beside the names of the cycles. */
+export interface FirstTexts {
   readonly page: PageTexts;
   readonly chooser: ChooserTexts;
+}
+
+/** The texts of one screen language that the workplaces show, by area. A text missing in a language is a compile error. */
+export interface Texts extends FirstTexts {
   readonly dialog: DialogTexts;
   readonly setup: SetupTexts;
   readonly lathe: LatheTexts;
@@ -48,12 +44,12 @@ export interface TableTexts {
   readonly own: OwnTexts;
 }
 
-const all: Readonly<Record<Language, Texts & TableTexts>> = {
-  en: { ...en, ...enTables },
-  de: { ...de, ...deTables },
-  fr: { ...fr, ...frTables },
-  zh: { ...zh, ...zhTables },
-};
+const workplaces = import.meta.glob<Texts>("./*/workplace.ts", { eager: true, import: "workplace" });
+const tables = import.meta.glob<TableTexts>("./*/tables.ts", { eager: true, import: "tables" });
 
-/** All texts of a screen language. */
+const all = Object.fromEntries(
+  LANGUAGES.map((language) => [language, { ...workplaces[`./${language}/workplace.ts`], ...tables[`./${language}/tables.ts`] }]),
+) as Readonly<Record<Language, Texts & TableTexts>>;
+
+/** Both in a screen language, without waiting: for reports, scripts and tests. */
 export const texts = (language: Language): Texts & TableTexts => all[language];

@@ -1,21 +1,29 @@
-/** Languages of the screen. */
-export const LANGUAGES = ["en", "de", "fr", "zh"] as const;
-export type Language = (typeof LANGUAGES)[number];
-
-/** What each language calls itself, for the language switch. */
-export const LANGUAGE_NAMES: Readonly<Record<Language, string>> = {
-  en: "English",
-  de: "Deutsch",
-  fr: "Français",
-  zh: "中文",
-};
-
-/** Languages that NC text has words for. A control set to Chinese prints English ones (printed on a TNC7 page). */
-export const NC_LANGUAGES = ["en", "de", "fr"] as const;
-export type NcLanguage = (typeof NC_LANGUAGES)[number];
-
-/** The words that NC text of this language setting really uses. */
-export const ncLanguage = (language: Language): NcLanguage => (language === "zh" ? "en" : language);
+/**
+ * The languages of the screen, a line for each: its own name, its decimal sign, and what stands between the items of a list. The name of
+ * the line is the language tag, and the folder beside this file that holds its texts.
+ */
+export const SCREEN_LANGUAGES = {
+  en: { name: "English", decimal: ".", comma: ", " },
+  de: { name: "Deutsch", decimal: ",", comma: ", " },
+  fr: { name: "Français", decimal: ",", comma: ", " },
+  zh: { name: "中文", decimal: ".", comma: "、" },
+} as const;
+export type Language = keyof typeof SCREEN_LANGUAGES;
+export const LANGUAGES = Object.keys(SCREEN_LANGUAGES) as readonly Language[];
 
 /** True for a language setting that may come from outside (saved work, browser). */
-export const isLanguage = (name: string): name is Language => (LANGUAGES as readonly string[]).includes(name);
+export const isLanguage = (name: string): name is Language => Object.hasOwn(SCREEN_LANGUAGES, name);
+
+/** The languages that a control is set to for its NC text; a job keeps one of them. Their words are in `nc-labels.ts`. */
+export const NC_LANGUAGES = ["en", "de", "fr", "zh"] as const;
+export type NcLanguage = (typeof NC_LANGUAGES)[number];
+
+/** The language of NC text for somebody who reads the screen in a language: English where controls do not have it. */
+export const ncLanguageOf = (screen: Language): NcLanguage => NC_LANGUAGES.find((each) => each === screen) ?? "en";
+
+/** The languages that lessons and tasks are told in, in the order in which one stands in for another. */
+export const LESSON_LANGUAGES = ["en", "de", "fr", "zh"] as const;
+export type LessonLanguage = (typeof LESSON_LANGUAGES)[number];
+
+/** The language in which somebody who reads the screen in a language writes a task: English where tasks do not have it. */
+export const lessonLanguageOf = (screen: Language): LessonLanguage => LESSON_LANGUAGES.find((each) => each === screen) ?? "en";

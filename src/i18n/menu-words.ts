@@ -1,14 +1,10 @@
 import type { Group } from "../cycles/define.ts";
-import { shopWords as de } from "./de/shop-words.ts";
-import { shopWords as en } from "./en/shop-words.ts";
-import { shopWords as fr } from "./fr/shop-words.ts";
 import { texts } from "./index.ts";
-import type { Language } from "./languages.ts";
+import { ncLanguageOf, type Language } from "./languages.ts";
 import { ncLabels } from "./nc-labels.ts";
 import type { ShopWords } from "./shop-words.ts";
-import { shopWords as zh } from "./zh/shop-words.ts";
 
-const shop: Readonly<Record<Language, ShopWords>> = { en, de, fr, zh };
+const shop = import.meta.glob<ShopWords>("./*/first/shop-words.ts", { eager: true, import: "shopWords" });
 
 /** What the menu says about one cycle. */
 export interface MenuWord {
@@ -30,9 +26,9 @@ export interface MenuWords {
 /** Takes the words of the menu out of all texts. The build does that, so that the first screen loads nothing else of them. */
 export function menuWords(language: Language): MenuWords {
   const { groups, of, kept } = texts(language).cycles;
-  const { cycleName } = ncLabels(language);
+  const { cycleName } = ncLabels(ncLanguageOf(language));
   const words = Object.entries(of).map(([number, { name, summary }]) =>
     [Number(number), { name, summary, nc: cycleName(Number(number)) }] as const
   );
-  return { groups, of: Object.fromEntries(words), kept, shop: shop[language] };
+  return { groups, of: Object.fromEntries(words), kept, shop: shop[`./${language}/first/shop-words.ts`] as ShopWords };
 }

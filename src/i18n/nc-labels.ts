@@ -1,10 +1,14 @@
-import { type Language, type NcLanguage, ncLanguage } from "./languages.ts";
+import type { NcLanguage } from "./languages.ts";
 import { de } from "./nc/de.ts";
 import { en } from "./nc/en.ts";
 import { fr } from "./nc/fr.ts";
 import type { NcWord, NcWords } from "./nc-words.ts";
 
-const all: Readonly<Record<NcLanguage, NcWords>> = { en, de, fr };
+/** A control set to Chinese prints English words (printed on a TNC7 page). */
+const all: Readonly<Record<NcLanguage, NcWords>> = { en, de, fr, zh: en };
+
+/** False for a language in which the control prints the words of another. */
+export const hasOwnWords = (language: NcLanguage): boolean => language === "en" || all[language] !== en;
 
 /** What a printer of NC text asks for. Nothing here is a sentence. */
 export interface NcLabels {
@@ -19,9 +23,9 @@ export interface NcLabels {
 const wordIn = (words: object, key: string | number): NcWord | undefined =>
   Object.hasOwn(words, key) ? (words as Readonly<Record<string, NcWord>>)[key] : undefined;
 
-/** The labels of NC text for a language setting; Chinese prints English ones. */
-export function ncLabels(language: Language): NcLabels {
-  const words = all[ncLanguage(language)];
+/** The labels of NC text for a language setting of the control. */
+export function ncLabels(language: NcLanguage): NcLabels {
+  const words = all[language];
   return {
     cycleName: (cycle) => wordIn(words.cycles, cycle)?.text ?? "",
     label: (text) => wordIn(words.params, text)?.text ?? "",
@@ -30,4 +34,4 @@ export function ncLabels(language: Language): NcLabels {
 }
 
 /** The words with their evidence, for the notice "not printed in the pages we have". */
-export const ncWords = (language: Language): NcWords => all[ncLanguage(language)];
+export const ncWords = (language: NcLanguage): NcWords => all[language];

@@ -1,8 +1,9 @@
-import type { Language } from "./languages.ts";
+import { SCREEN_LANGUAGES, type Language } from "./languages.ts";
 
-const COMMA: Readonly<Record<Language, boolean>> = { en: false, de: true, fr: true, zh: false };
+/** The decimal sign of a screen language. */
+export const decimalSign = (language: Language): "." | "," => SCREEN_LANGUAGES[language].decimal;
 
-const sign = (language: Language, text: string) => (COMMA[language] ? text.replace(".", ",") : text);
+const sign = (language: Language, text: string) => text.replace(".", decimalSign(language));
 
 /** A fixed number that never shows "-0" nor an exponent. */
 function fixed(value: number, decimals: number): string {
@@ -10,9 +11,6 @@ function fixed(value: number, decimals: number): string {
   const text = Math.abs(value) < 1e21 ? value.toFixed(decimals) : String(Math.sign(value) * 1e21);
   return /^-0(\.0*)?$/.test(text) ? text.slice(1) : text;
 }
-
-/** The decimal sign of a screen language. */
-export const decimalSign = (language: Language): "." | "," => (COMMA[language] ? "," : ".");
 
 /** A number for running text: at most `decimals`, no trailing zeros: 25.4, 0,5. */
 export function formatNumber(language: Language, value: number, decimals = 3): string {

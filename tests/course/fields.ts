@@ -1,4 +1,4 @@
-import { LESSON_LANGUAGES } from "../../src/course/whole.ts";
+import { LESSON_LANGUAGES } from "../../src/i18n/languages.ts";
 
 /** What a schema of zod says of itself, as far as its fields go. */
 interface Definition {

@@ -4,7 +4,7 @@ import { lessonSchema, type Lesson } from "../../src/course/lesson.ts";
 import { stepsPlayed, valueIn, withSlid } from "../../src/course/played.ts";
 import { programOfLines } from "../../src/course/start-of.ts";
 import { taskSchema } from "../../src/course/task.ts";
-import { LANGUAGES } from "../../src/i18n/languages.ts";
+import { LESSON_LANGUAGES } from "../../src/i18n/languages.ts";
 import { radius, toDiameter } from "../../src/kernel/units.ts";
 import { parse } from "../../src/nc/parse.ts";
 import { run } from "../../src/program/run/run.ts";
@@ -41,7 +41,7 @@ describe.each(named)("%s", (name, raw) => {
 
   test("is named as its file, and says every page in every language", () => {
     expect(name).toBe(`${String(lesson.number).padStart(2, "0")}-${lesson.id}`);
-    for (const language of LANGUAGES) expect([language, words[language]?.pages.length]).toEqual([language, pages.length]);
+    for (const language of LESSON_LANGUAGES) expect([language, words[language]?.pages.length]).toEqual([language, pages.length]);
   });
 
   test("its pictures move, from block to block as they say", () => {
@@ -119,7 +119,7 @@ describe("the printed examples", () => {
 test("where a text names a lesson by its number, it is the one that is meant", () => {
   const all: Readonly<Record<string, unknown>> = { ...files, ...tasks };
   const names = /(?:lessons?|Lektion(?:en)?|leçons?) (\d+)|第 ?(\d+) ?课/gi;
-  for (const language of LANGUAGES) {
+  for (const language of LESSON_LANGUAGES) {
     const told = Object.entries(all).flatMap(([path, raw]) => {
       const { words } = raw as { words: Partial<Record<string, unknown>> };
       const where = path.slice(path.lastIndexOf("/") + 1, -".json".length).replace(/^\d\d-/, "");

@@ -1,7 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { GlossaryTexts, TermId } from "../../src/i18n/glossary-text.ts";
-import type { Language } from "../../src/i18n/languages.ts";
-import { LANGUAGES } from "../../src/i18n/languages.ts";
+import { LESSON_LANGUAGES, type LessonLanguage } from "../../src/i18n/languages.ts";
 
 /*
  * One word for one thing, in each language, wherever a trainee reads it: lessons, tasks, glossary and the app itself. The words are those
@@ -10,7 +9,7 @@ import { LANGUAGES } from "../../src/i18n/languages.ts";
 
 /** The name in the glossary, and what must not stand for it anywhere in that language. */
 type OneTerm = readonly [name: string, ...never: RegExp[]];
-const TERMS: Partial<Record<TermId, Readonly<Record<Language, OneTerm>>>> = {
+const TERMS: Partial<Record<TermId, Readonly<Record<LessonLanguage, OneTerm>>>> = {
   block: { en: ["Block"], de: ["Satz"], fr: ["Séquence", /\bblocs?\b/i], zh: ["程序段", /语句|程序句/] },
   setupClearance: {
     en: ["Set-up clearance (Q460)", /safety distance/i],
@@ -61,7 +60,7 @@ const TERMS: Partial<Record<TermId, Readonly<Record<Language, OneTerm>>>> = {
 };
 
 /** What the glossary does not explain, yet must not be said in two ways. */
-const NEVER: Readonly<Record<Language, readonly RegExp[]>> = {
+const NEVER: Readonly<Record<LessonLanguage, readonly RegExp[]>> = {
   en: [],
   // a prompt is an Eingabe; the Spanfläche is a face of the tool, not the section of the chip, and that has one name
   de: [/\bAbfragen?\b/, /Spanfläche/, /Spanungsquerschnitt/, /aus dem Gedächtnis/],
@@ -75,27 +74,27 @@ const SEARCHED = "/shop-words.ts";
 
 const sources = import.meta.glob<string>("../../src/i18n/*/**/*.ts", { eager: true, query: "?raw", import: "default" });
 const glossaries = import.meta.glob<GlossaryTexts>("../../src/i18n/*/glossary.ts", { eager: true, import: "glossary" });
-const courses = import.meta.glob<{ words: Record<Language, unknown> }>("../../src/course/{lessons,tasks}/*.json", {
+const courses = import.meta.glob<{ words: Record<LessonLanguage, unknown> }>("../../src/course/{lessons,tasks}/*.json", {
   eager: true,
   import: "default",
 });
 
 /** Every text of a language: what the course says, and the files of the app without their remarks. */
 const texts =
-  (language: Language): readonly (readonly [where: string, text: string])[] => [
+  (language: LessonLanguage): readonly (readonly [where: string, text: string])[] => [
     ...Object.entries(courses).map(([path, { words }]) => [path, JSON.stringify(words[language])] as const),
     ...Object.entries(sources).filter(([path]) => path.includes(`/i18n/${language}/`) && !path.endsWith(SEARCHED)).map(([path, text]) =>
       [path, text.replaceAll(/\/\*[^]*?\*\/|\/\/.*$/gm, "")] as const
     ),
   ];
 
-const found = (language: Language, never: RegExp) =>
+const found = (language: LessonLanguage, never: RegExp) =>
   texts(language).flatMap(([where, text]) => {
     const at = text.search(never);
     return at < 0 ? [] : [`${where}: …${text.slice(Math.max(at - 30, 0), at + 30)}…`];
   });
 
-describe.each(LANGUAGES)("the words of the trade in %s", (language) => {
+describe.each(LESSON_LANGUAGES)("the words of the trade in %s", (language) => {
   const all = texts(language), glossary = glossaries[`../../src/i18n/${language}/glossary.ts`];
 
   test("are looked for in lessons, tasks and the app", () => {

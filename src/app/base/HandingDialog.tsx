@@ -1,6 +1,6 @@
 import { useRef, type ReactNode } from "react";
 import { Icon } from "./Icon.tsx";
-import { useFirstTexts } from "./settings/use-first-texts.ts";
+import { useTexts } from "./settings/use-texts.ts";
 import { useModal } from "./use-modal.ts";
 import "./handing.css";
 
@@ -8,7 +8,7 @@ import "./handing.css";
 export function HandingDialog({ title, done, children }: { readonly title: string; readonly done: () => void;
   readonly children: ReactNode })
 {
-  const { close } = useFirstTexts().page;
+  const { close } = useTexts("first").page;
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog, ".handing-first");
   return (

@@ -1,10 +1,10 @@
 import { Icon } from "./Icon.tsx";
 import { dismissMissing, fetchMissing, useMissing } from "./parts.ts";
-import { useFirstTexts } from "./settings/use-first-texts.ts";
+import { useTexts } from "./settings/use-texts.ts";
 
 /** Says that a part of the page did not come; what is open stays. */
 export function MissingPart() {
-  const t = useFirstTexts().page.notice;
+  const t = useTexts("first").page.notice;
   const missing = useMissing((m) => m.missing);
   if (missing === "no") return null;
   return (

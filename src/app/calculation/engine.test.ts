@@ -5,7 +5,7 @@ import { judged } from "../findings/verdict.ts";
 import { verdictReasons, verdictTitle } from "../findings/verdict-words.ts";
 import { findingsShown, isDefinedIn } from "../document/shown-findings.ts";
 import { filesOf, type ProgramWork } from "../document/work.ts";
-import { findings as words } from "../../i18n/en/findings.ts";
+import { findings as words } from "../../i18n/en/workplace/findings.ts";
 import { engine } from "./engine.ts";
 import { isMadeFrom } from "./outcome.ts";
 

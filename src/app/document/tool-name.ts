@@ -1,8 +1,8 @@
 import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
-import { useTableTexts } from "../base/settings/use-table-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 /** What a row is called: its number and name, as typed. */
 export function useToolName(): (entry: ToolEntry) => string {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   return (entry) => t.toolName(cellOf(entry, "T").trim() || t.noNumber, cellOf(entry, "NAME").trim());
 }

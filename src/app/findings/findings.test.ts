@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { cycleByNumber } from "../../cycles/index.ts";
-import { findings as english } from "../../i18n/en/findings.ts";
+import { findings as english } from "../../i18n/en/workplace/findings.ts";
 import { spotOn } from "../../kernel/plane/mill-motion.ts";
 import { exampleJob, UNSET, type Job } from "../../program/job/job.ts";
 import { shippedTools } from "../../program/tools/shipped-tools.ts";

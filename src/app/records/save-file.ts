@@ -1,3 +1,4 @@
+import { NC_LANGUAGES } from "../../i18n/languages.ts";
 import { z } from "zod/mini";
 import type { MeasuredPlace, Measurement } from "../../kernel/plan/measured.ts";
 import { at } from "../../kernel/geometry/point.ts";
@@ -95,7 +96,7 @@ const job = z.object({
   contour: z.array(row),
   layout: z.enum(JOB_LAYOUTS),
   output,
-  ncLanguage: z.enum(["en", "de", "fr", "zh"]),
+  ncLanguage: z.enum(NC_LANGUAGES),
   remarks,
   material: z.optional(text),
   measured,

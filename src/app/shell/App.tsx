@@ -10,8 +10,7 @@ import { lazyPart } from "../base/parts.ts";
 import { useCopying } from "../findings/copy.ts";
 import { fetchAtRest } from "../base/rest.ts";
 import { useKeeping } from "../records/keep.ts";
-import { fetchShownTexts } from "../base/settings/shown-texts.ts";
-import { useFirstTexts } from "../base/settings/use-first-texts.ts";
+import { fetchShownTexts, useTexts } from "../base/settings/use-texts.ts";
 import { useEditor } from "../document/store.ts";
 import { closeOver, elsewhere, seen, usePlace, type Page } from "../place/place.ts";
 import { useBringing } from "../records/bring-in-place.ts";
@@ -64,7 +63,7 @@ const Start = () => <StartPage course={<CourseEntrance />} />;
 
 /** The workplace of the open job or program. A job of a cycle that this edition does not know is none. */
 function OpenWork() {
-  const t = useFirstTexts().page;
+  const t = useTexts("first").page;
   const hasJob = useEditor((s) => s.job !== null && menuCycle(s.job.cycle) !== undefined);
   const program = useEditor((s) => (s.program ? s.work : null));
   if (program === null) return hasJob ? <Workplace /> : <Start />;

@@ -3,7 +3,7 @@ import { noteFault } from "../records/reports.ts";
 import { lazyPart } from "../base/parts.ts";
 import { unkeptWorks } from "../records/keep.ts";
 import { rememberWork } from "../records/tab.ts";
-import { firstTexts } from "../base/settings/loaded-texts.ts";
+import { texts } from "../base/settings/loaded-texts.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { fetchCrashHelp } from "../../features/works/index.ts";
 
@@ -48,7 +48,7 @@ export class CrashGuard extends Component<{ readonly children: ReactNode }, Stat
 
   override render(): ReactNode {
     if (!this.state.crashed) return this.props.children;
-    const t = firstTexts(useSettings.getState().language).page.notice;
+    const t = texts(useSettings.getState().language, "first").page.notice;
     return (
       <main className="crash">
         <div role="alert">

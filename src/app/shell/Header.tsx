@@ -2,7 +2,7 @@ import { Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
 import { goHome } from "../document/go-home.ts";
 import { Icon } from "../base/Icon.tsx";
 import { seen, showTools, usePlace } from "../place/place.ts";
-import { useFirstTexts } from "../base/settings/use-first-texts.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 import { redoStep, undoStep } from "../document/history.ts";
 import { lazyPart } from "../base/parts.ts";
 import { useSteps } from "../document/steps.ts";
@@ -23,7 +23,7 @@ function toPrompts(event: MouseEvent): void {
 
 /** The top line: what is open, undo and redo, a new program, settings. */
 export function Header() {
-  const t = useFirstTexts();
+  const t = useTexts("first");
   const job = useEditor((s) => s.job);
   const section = usePlace((p) => p.section);
   const [settings, showSettings] = useState(false);

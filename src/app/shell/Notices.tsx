@@ -1,12 +1,12 @@
 import { Icon } from "../base/Icon.tsx";
 import { useNotices, withdraw } from "../base/notices.ts";
 import { dismissDamaged, unkeptNames, unkeptWorks, useKeeping } from "../records/keep.ts";
-import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { fetchExportWorks } from "../../features/works/index.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 /** The works that are nowhere but in this page, as files. */
 function DownloadUnkept() {
-  const t = useFirstTexts().page.notice;
+  const t = useTexts("first").page.notice;
   const works = unkeptWorks();
   if (works.length === 0) return null;
   return (
@@ -25,7 +25,7 @@ function DownloadUnkept() {
 
 /** What happened to saved work, until it is dismissed. */
 export function Notices() {
-  const t = useFirstTexts().page.notice;
+  const t = useTexts("first").page.notice;
   const { damaged } = useKeeping();
   const { notices } = useNotices();
   const line = (key: (typeof notices)[number] | "damaged", text: string) => (

@@ -1,11 +1,11 @@
 import { Suspense, useLayoutEffect, useRef } from "react";
-import { LANGUAGE_NAMES, LANGUAGES, isLanguage } from "../../i18n/languages.ts";
+import { LANGUAGES, SCREEN_LANGUAGES, isLanguage } from "../../i18n/languages.ts";
 import { showOwn } from "../place/place.ts";
 import { lazyPart } from "../base/parts.ts";
 import { changeLanguage, changeSettings, useSettings } from "../base/settings/settings.ts";
-import { useFirstTexts } from "../base/settings/use-first-texts.ts";
 import { fetchOfflineState } from "../../features/offline/index.ts";
 import { fetchThisDevice } from "../../features/works/index.ts";
+import { useTexts } from "../base/settings/use-texts.ts";
 
 const MachineSection = lazyPart(async () => ({ default: (await import("../fields/machine/MachineSection.tsx")).MachineSection }));
 const OfflineState = lazyPart(async () => ({ default: (await fetchOfflineState()).OfflineState }));
@@ -14,7 +14,7 @@ const ThisDevice = lazyPart(async () => ({ default: (await fetchThisDevice()).Th
 /** Language, appearance, motion and machine: choices of this device. */
 export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
   const dialog = useRef<HTMLDialogElement>(null);
-  const t = useFirstTexts().page;
+  const t = useTexts("first").page;
   const settings = useSettings();
   const first = useRef<HTMLSelectElement>(null);
   useLayoutEffect(() => {
@@ -35,7 +35,8 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
           <select ref={first} className="select" value={settings.language}
             onChange={(e) => isLanguage(e.target.value) && void changeLanguage(e.target.value)}
           >
-            {LANGUAGES.map((language) => <option key={language} value={language} lang={language}>{LANGUAGE_NAMES[language]}</option>)}
+            {LANGUAGES.map((language) => <option key={language} value={language} lang={language}>{SCREEN_LANGUAGES[language].name}
+            </option>)}
           </select>
         </label>
         <label>

@@ -16,7 +16,7 @@ import "./slots.ts";
 import { startKeeping, useKeeping } from "../records/keep.ts";
 import { resume } from "./resume.ts";
 import { followAppearance } from "../base/settings/appearance.ts";
-import { fetchFirstTexts } from "../base/settings/loaded-texts.ts";
+import { fetchTexts } from "../base/settings/loaded-texts.ts";
 import { useSettings } from "../base/settings/settings.ts";
 import { useEditor } from "../document/store.ts";
 import "../base/styles/tokens.css";
@@ -65,7 +65,7 @@ void resume(askedWork).then(async () => {
 });
 
 const root = document.getElementById("root");
-void untilHere(() => fetchFirstTexts(useSettings.getState().language)).then(() => {
+void untilHere(() => fetchTexts(useSettings.getState().language, "first")).then(() => {
   if (!root) return;
   createRoot(root).render(<StrictMode>
     <CrashGuard>

@@ -1,3 +1,4 @@
+import type { LessonLanguage } from "../../i18n/languages.ts";
 import type { Answer } from "../judge/judgement.ts";
 import { promptsText } from "../prompts.ts";
 import { programOfLines } from "../start-of.ts";
@@ -9,12 +10,6 @@ import { draftOfPrediction } from "./made-questions.ts";
 /*
  * A task that is kept, or came from elsewhere, in the form again. What a form has no field for goes along as it was.
  */
-
-export type TaskLanguage = keyof Task["words"];
-
-/** The language that a task is written on in: that of the screen where it has words in it, or else its first. */
-export const languageOfTask = ({ words }: Task, screen: TaskLanguage): TaskLanguage =>
-  [screen, "en", "de", "fr", "zh"].find((each): each is TaskLanguage => words[each as TaskLanguage] !== undefined) ?? screen;
 
 /** The program that a task is made of: its answer, or what lies open where it has none; null where it has neither. */
 export function textOfTask(task: Task): string | null {
@@ -47,7 +42,7 @@ export const sizesOfBoth = (chosen: readonly SizeDraft[], offered: readonly Size
 };
 
 /** The form of a task. `text` and `answer`: of the program that it is made of. */
-export function formOfTask(task: Task, text: string, answer: Answer, language: TaskLanguage): MadeTask {
+export function formOfTask(task: Task, text: string, answer: Answer, language: LessonLanguage): MadeTask {
   const proposed = proposedTask(answer), { part, rules, predict = [], words: told } = task, words = told[language];
   const lines = (found: readonly string[] | undefined) => found?.join("\n") ?? "";
   const rule = (name: (typeof NUMBER_RULES)[number]): RuleDraft => {
@@ -98,7 +93,7 @@ function changedOf<T extends object>(base: T, first: T, made: T): T {
  * A task that was changed in the form, under its own id: an answer that comes back finds it. Where the form was left as it is the task
  * stays the same to the last field, in all of its languages.
  */
-export function editedTask(base: Task, made: MadeTask, answer: Answer, language: TaskLanguage): Task | readonly MadeFault[] {
+export function editedTask(base: Task, made: MadeTask, answer: Answer, language: LessonLanguage): Task | readonly MadeFault[] {
   const text = textOfTask(base);
   const now = taskOfMade(made, answer, language, "edited");
   if ("length" in now || text === null) return now;

@@ -6,7 +6,8 @@ import type { Task } from "../task.ts";
 import { possibleFaults, withFaults } from "./faults.ts";
 import { begunOfMade, linesOfText, proposedTask, programOfMade, promptsOf, taskOfMade } from "./made-task.ts";
 import { readForm, type MadeTask } from "./made-form.ts";
-import { editedTask, formOfTask, languageOfTask, textOfTask } from "./form-of-task.ts";
+import { shownLanguageOf } from "../words.ts";
+import { editedTask, formOfTask, textOfTask } from "./form-of-task.ts";
 import { changedBlocks, fateOf, isThere, predictionOf, proposedQuestion, truthsOf } from "./made-questions.ts";
 import type { QuestionDraft } from "./question-draft.ts";
 
@@ -155,7 +156,7 @@ test.each(["l16-drawn-rod", "l03-how-many-passes", "l01-sawn-long", "l22-clamp-s
   "%s comes out of the form as it went in, and with what was changed",
   (id) => {
     const task = shipped(id), text = textOfTask(task) ?? "", of = answerOf(text);
-    expect(languageOfTask(task, "fr")).toBe("fr");
+    expect(shownLanguageOf(task.words, "fr")).toBe("fr");
     const form = formOfTask(task, text, of, "fr");
     expect(editedTask(task, form, of, "fr")).toEqual(task);
     const renamed = editedTask(task, { ...form, words: { ...form.words, title: "Autre" } }, of, "fr");

@@ -1,11 +1,10 @@
 import { useMemo, useRef, useState } from "react";
 import { createPortal } from "react-dom";
-import { loadCompare } from "../../i18n/load-compare.ts";
 import type { BlockDifference } from "../../program/compare/compare.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useLengths } from "../../app/calculation/lengths.ts";
 import { copyText, useCopying } from "../../app/findings/copy.ts";
-import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { useTexts, useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { comparisonText, findingTexts, summaryText, verdictChange, wholeTexts, type Wording } from "./compare-words.ts";
 import { isWriting, tallyOf, type ComparedFile } from "./compared.ts";
@@ -14,11 +13,8 @@ import { OtherProgram } from "./OtherProgram.tsx";
 import type { OtherText, ShowBlock } from "../../app/place/place.ts";
 import { changedSinceOpened, presentProgram, withOtherText } from "../../app/fields/compare/sides.ts";
 import { useProgramComparison, type ComparedPrograms } from "./use-compared.ts";
-import { laterTexts } from "../../app/base/settings/later-texts.ts";
 import { useModal } from "../../app/base/use-modal.ts";
 import "./compare.css";
-
-const { useThemSoon: useCompareTexts } = laterTexts(loadCompare);
 
 /** Block of the present program that a difference leads to: its own, or where what is gone has stood. */
 function blockNow({ after, partners }: ComparedFile, { a, b }: BlockDifference): number {
@@ -138,7 +134,7 @@ export function CompareDialog({ done, showBlock, against }: Props) {
   const lengths = useLengths();
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog);
-  const words = useCompareTexts();
+  const words = useTextsSoon("compare");
   const [present] = useState(presentProgram);
   const [other, take] = useState(() =>
     present && (against ? { name: against.name, program: withOtherText(present, against.text) } : changedSinceOpened(present))

@@ -1,6 +1,6 @@
 import { part } from "../../kernel/geometry/point.ts";
 import { axial, diameter, toRadius } from "../../kernel/units.ts";
-import type { ContourTexts } from "../../i18n/en/contour.ts";
+import type { ContourTexts } from "../../i18n/en/workplace/contour.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import { dimensionsOf, type ContourDimension } from "../../program/job/contour-dimensions.ts";

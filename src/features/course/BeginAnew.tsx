@@ -2,11 +2,11 @@ import { useState } from "react";
 import { isEmptyProgress } from "../../course/progress.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { beginCourseAnew, useLearning } from "../../app/records/course/progress.ts";
-import { useCourseTexts } from "./use-course-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** The way to begin the course anew: at once, because undo takes it back; and what is wrong with what is kept. */
 export function BeginAnew() {
-  const t = useCourseTexts();
+  const t = useTexts("course");
   const isEmpty = useLearning((s) => isEmptyProgress(s.list));
   const trouble = useLearning((s) => s.trouble);
   const [begun, setBegun] = useState(false);

@@ -2,7 +2,7 @@ import { lessonNumbers } from "virtual:course-index";
 import { Icon } from "../../app/base/Icon.tsx";
 import { courseHref } from "../../app/place/course-links.ts";
 import { useLearning } from "../../app/records/course/progress.ts";
-import { useCourseTexts } from "./use-course-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import "./entrance.css";
 
 /**
@@ -10,7 +10,7 @@ import "./entrance.css";
  * since: the number is that of today.
  */
 export function CourseEntrance() {
-  const { entrance: t } = useCourseTexts();
+  const { entrance: t } = useTexts("course");
   const last = useLearning((s) => s.list.last);
   return (
     <a className="course-entrance" href={last ? courseHref(last.lesson, last.page) : courseHref()}>

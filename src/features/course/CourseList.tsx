@@ -6,7 +6,7 @@ import { BeginAnew } from "./BeginAnew.tsx";
 import { useLearning } from "../../app/records/course/progress.ts";
 import { TaughtTasks } from "./teach/TaughtTasks.tsx";
 import { TaskStateMark } from "./TaskStateMark.tsx";
-import { useCourseTexts } from "./use-course-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** The lesson to go on with: the one that was open last, or the first of those that come after it where that is done. */
 export function lessonToGoOn(lessons: readonly LessonEntry[], { list }: ReturnType<typeof useLearning.getState>): LessonEntry | null {
@@ -19,7 +19,7 @@ export function lessonToGoOn(lessons: readonly LessonEntry[], { list }: ReturnTy
 }
 
 function LessonRow({ lesson, isNext }: { readonly lesson: LessonEntry; readonly isNext: boolean }) {
-  const t = useCourseTexts();
+  const t = useTexts("course");
   const { list } = useLearning();
   const states = lesson.tasks.map((task) => ({ ...task, state: stateOfTask(progressOfTask(list, task.id)) }));
   const passed = states.filter(({ state }) => state !== "new" && state !== "tried").length;
@@ -60,7 +60,7 @@ function LessonRow({ lesson, isNext }: { readonly lesson: LessonEntry; readonly 
 
 /** All lessons with their aims and tasks, how these stand, and where to go on. */
 export function CourseList() {
-  const t = useCourseTexts();
+  const t = useTexts("course");
   const { lessons } = useCourseIndex();
   const learning = useLearning();
   const next = lessonToGoOn(lessons, learning);

@@ -3,12 +3,12 @@ import { useCourseIndex } from "../../app/records/course/content.ts";
 import { coursePage, usePlace } from "../../app/place/place.ts";
 import { CourseList } from "./CourseList.tsx";
 import { LessonView } from "./LessonView.tsx";
-import { useCourseTexts } from "./use-course-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import "./course.css";
 
 /** The course in place of the start page: the list of lessons, or the open one. */
 export function CoursePage() {
-  const t = useCourseTexts();
+  const t = useTexts("course");
   const { lessons } = useCourseIndex();
   const lesson = usePlace((p) => coursePage(p)?.lesson ?? null);
   const open = lessons.find(({ id }) => id === lesson);

@@ -8,7 +8,6 @@ import { runningText } from "../../app/pictures/lathe/running.ts";
 import { useEachReading, usePlayback } from "../../app/pictures/lathe/use-playback.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { useCourseTexts } from "./use-course-texts.ts";
 import type { PlayedStretch } from "./use-stretch.ts";
 
 /** Parts of the slider of time. */
@@ -22,7 +21,7 @@ export function LessonBar({ playback, stretch, run, lines }: {
   /** The program that runs. */
   readonly lines: readonly string[];
 }) {
-  const t = useCourseTexts().picture;
+  const t = useTexts("course").picture;
   const texts = useTexts();
   const lengths = useLengths(run), { language } = lengths;
   const playing = usePlayback(playback, (s) => s.get().playing);

@@ -6,13 +6,13 @@ import { effectOf } from "../../app/findings/effect/effect.ts";
 import { useLengths } from "../../app/calculation/lengths.ts";
 import { LoadScale } from "../../app/pictures/load/LoadScale.tsx";
 import { useLoadDrawing } from "../../app/pictures/load/use-drawing.ts";
-import { loadPlaceText, loadValue, useGreatest, useLoadTexts, useMeasuredRun, type Told } from "../../app/pictures/load/use-load.ts";
+import { loadPlaceText, loadValue, useGreatest, useMeasuredRun, type Told } from "../../app/pictures/load/use-load.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** What colours tell: their scale, and the greatest value with its place. */
 function ToldByColour({ of, run }: { readonly of: Told; readonly run: Outcome["run"] }) {
-  const t = useLoadTexts();
+  const t = useTexts("load");
   const lengths = useLengths(run);
   const told = useMeasuredRun(run);
   const drawing = useLoadDrawing(told, of);

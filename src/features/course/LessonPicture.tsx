@@ -31,7 +31,6 @@ import { LessonBar } from "./LessonBar.tsx";
 import { LessonFacts } from "./LessonFacts.tsx";
 import { useLessonPlaces } from "./use-lesson-places.ts";
 import type { LessonPageOf } from "./lesson-pages.ts";
-import { useCourseTexts } from "./use-course-texts.ts";
 import { useLessonLoad } from "./use-lesson-load.ts";
 import { useStretch } from "./use-stretch.ts";
 import "../../app/pictures/lathe/lathe.css";
@@ -105,7 +104,7 @@ export function LessonPicture({ outcome, page, playback, waits, failed, slid }: 
   /** A value of this page was slid: its picture follows. */
   readonly slid: boolean;
 }) {
-  const t = useCourseTexts();
+  const t = useTexts("course");
   const texts = useTexts();
   const { section, xDown, motion } = useSettings();
   const [viewport] = useState(() => createViewport(!xDown));

@@ -5,7 +5,7 @@ import { Icon } from "../../app/base/Icon.tsx";
 import type { PlaybackStore } from "../../app/calculation/playback-store.ts";
 import { useReadPlayback } from "../../app/pictures/lathe/use-playback.ts";
 import { openToTry } from "./open-example.ts";
-import { useCourseTexts } from "./use-course-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** The program that the picture is made from, with the block that runs, to be read and to be taken into the editor. */
 export function LessonProgram({ lines, run, playback, open, onOpen }: {
@@ -17,7 +17,7 @@ export function LessonProgram({ lines, run, playback, open, onOpen }: {
   readonly open: boolean;
   readonly onOpen: (open: boolean) => void;
 }) {
-  const t = useCourseTexts().picture;
+  const t = useTexts("course").picture;
   const blocks = useMemo(() => blocksOfLines(lines), [lines]);
   const running = useReadPlayback(playback, (store) => run?.steps[store.get().position.step]?.block ?? null);
   const list = useRef<HTMLPreElement>(null);

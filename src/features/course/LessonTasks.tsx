@@ -7,11 +7,11 @@ import { openToTry } from "./open-example.ts";
 import { useLearning } from "../../app/records/course/progress.ts";
 import { beginTask } from "./task/begin.ts";
 import { TaskStateMark } from "./TaskStateMark.tsx";
-import { useCourseTexts } from "./use-course-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** What follows the pages of a lesson: what one can do now, the example to play with, and the tasks. */
 export function LessonTasks({ lesson, entry, aim }: { readonly lesson: Lesson; readonly entry: LessonEntry; readonly aim: string }) {
-  const t = useCourseTexts();
+  const t = useTexts("course");
   const { list } = useLearning();
   const going = useRef(false);
   /** Pressed twice while the task is on its way, it still begins one work. */

@@ -8,9 +8,11 @@ import { coursePage, usePlace } from "../../app/place/place.ts";
 import { clock } from "../../app/base/clock.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { createPlaybackStore } from "../../app/calculation/playback-store.ts";
-import { atOnce } from "../../app/base/settings/later-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { atOnce } from "../../app/base/settings/loaded-texts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { fetchLesson, inScreenLanguage, useCourseIndex, type LessonEntry } from "../../app/records/course/content.ts";
+import { inScreenLanguage } from "../../course/words.ts";
+import { fetchLesson, useCourseIndex, type LessonEntry } from "../../app/records/course/content.ts";
 import { courseHref } from "../../app/place/course-links.ts";
 import { LessonPicture } from "./LessonPicture.tsx";
 import { LessonProgram } from "./LessonProgram.tsx";
@@ -19,7 +21,6 @@ import { LessonTasks } from "./LessonTasks.tsx";
 import { pagesOf, type LessonPageOf } from "./lesson-pages.ts";
 import { Paragraphs } from "./Paragraphs.tsx";
 import { noteLessonPage } from "../../app/records/course/progress.ts";
-import { useCourseTexts } from "./use-course-texts.ts";
 import { useLessonRun } from "./use-lesson-run.ts";
 import { useTurning } from "./use-turning.ts";
 
@@ -41,7 +42,7 @@ function PageOfLesson({ page, text, before, name }: {
   readonly before: readonly string[];
   readonly name: string;
 }) {
-  const t = useCourseTexts().picture;
+  const t = useTexts("course").picture;
   const { slide, program } = page;
   const [playback] = useState(() => createPlaybackStore(clock));
   const [read, setRead] = useState(false);
@@ -71,7 +72,7 @@ function PageOfLesson({ page, text, before, name }: {
 
 /** The ways to each page and to the tasks. */
 function PageLinks({ entry, at }: { readonly entry: LessonEntry; readonly at: LessonPage }) {
-  const t = useCourseTexts();
+  const t = useTexts("course");
   const all: readonly LessonPage[] = [...Array.from({ length: entry.pages }, (_, i) => i + 1), "tasks"];
   return (
     <nav className="lesson-pages" aria-label={t.pages}>
@@ -92,7 +93,7 @@ function PageLinks({ entry, at }: { readonly entry: LessonEntry; readonly at: Le
 
 /** What comes before and after a page of a lesson. */
 function useWays(entry: LessonEntry, at: LessonPage) {
-  const t = useCourseTexts();
+  const t = useTexts("course");
   const { lessons } = useCourseIndex();
   const next = lessons[lessons.indexOf(entry) + 1];
   const after = typeof at === "number" && at < entry.pages ? at + 1 : "tasks";
@@ -106,7 +107,7 @@ function useWays(entry: LessonEntry, at: LessonPage) {
 }
 
 function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
-  const t = useCourseTexts();
+  const t = useTexts("course");
   const language = useSettings((s) => s.language);
   const lesson = useLesson(entry.id);
   const asked = usePlace((p) => coursePage(p)?.at ?? 1);
@@ -154,7 +155,7 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
 }
 
 function MissingLesson() {
-  const t = useCourseTexts();
+  const t = useTexts("course");
   return (
     <main className="course-page">
       <p>{t.missing}</p>

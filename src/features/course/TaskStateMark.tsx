@@ -1,5 +1,5 @@
 import type { TaskState } from "../../course/progress.ts";
-import { useCourseTexts } from "./use-course-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** Each state has a form of its own: an empty ring, a half one, a tick; with a dash below it after hints, with two after the solution. */
 const FORMS: Readonly<Record<TaskState, string>> = {
@@ -12,7 +12,7 @@ const FORMS: Readonly<Record<TaskState, string>> = {
 
 /** How a task stands, as a mark and in words. */
 export function TaskStateMark({ state }: { readonly state: TaskState }) {
-  const t = useCourseTexts();
+  const t = useTexts("course");
   return (
     <span className={`task-state task-${state}`}>
       <svg className="icon" viewBox="0 0 16 16" aria-hidden="true" focusable="false">

@@ -1,8 +1,8 @@
 import { firstValues } from "../../cycles/first-values.ts";
 import type { Cycle } from "../../cycles/define.ts";
-import type { EditorTexts } from "../../i18n/en/editor.ts";
+import type { EditorTexts } from "../../i18n/en/workplace/editor.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
-import type { Language } from "../../i18n/languages.ts";
+import { ncLanguageOf, type Language } from "../../i18n/languages.ts";
 import type { Statement, Words } from "../../nc/statement.ts";
 import { noWords } from "../../program/values/typed-value.ts";
 import type { BlockKind } from "../../app/fields/blocks/block-kind.ts";
@@ -26,7 +26,7 @@ const polar = { polarRadius: { value: 10, incremental: false }, polarAngle: { va
 
 /** A cycle of the catalogue with the values of its printed example and labels in a language. */
 export function cycleStatement(cycle: Cycle, language: Language): Statement {
-  const labels = ncLabels(language);
+  const labels = ncLabels(ncLanguageOf(language));
   const values = firstValues(cycle);
   return {
     kind: "cycle",
@@ -66,7 +66,7 @@ export const palette: readonly Offered[] = [
   {
     group: "contour",
     kind: "contour",
-    make: (language) => ({ kind: "cycleLine", cycle: 14, line: 1, text: `${ncLabels(language).contour.label}2` }),
+    make: (language) => ({ kind: "cycleLine", cycle: 14, line: 1, text: `${ncLabels(ncLanguageOf(language)).contour.label}2` }),
   },
   offer("contour", "selectContour", { kind: "selectContour", file: "CONTOUR.H" }),
   offer("contour", "undercut", {

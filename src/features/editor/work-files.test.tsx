@@ -2,7 +2,7 @@ import { act, cleanup, render, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { never } from "../../kernel/never.ts";
-import { en } from "../../i18n/en/index.ts";
+import { workplace as en } from "../../i18n/en/workplace.ts";
 import { parse } from "../../nc/parse.ts";
 import { filesByName } from "../../program/state/program-files.ts";
 import { run } from "../../program/run/run.ts";

@@ -1,5 +1,4 @@
 import { useId, useMemo, useRef, useState } from "react";
-import { loadExport } from "../../i18n/load-export.ts";
 import { formatNumber } from "../../i18n/number.ts";
 import type { ExportTexts } from "../../i18n/en/export.ts";
 import { DXF_CHORD, writeDxf } from "../../program/dxf/write-dxf.ts";
@@ -12,23 +11,20 @@ import { Message } from "../../app/base/Message.tsx";
 import { playback } from "../../app/calculation/playback.ts";
 import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
 import { useLengths } from "../../app/calculation/lengths.ts";
-import { laterTexts } from "../../app/base/settings/later-texts.ts";
-import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
+import { useTexts, useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { useModal } from "../../app/base/use-modal.ts";
 import { BODIES, bodiesOf, contoursOf, drawnTogether, layersOf, turnedMoment, type BodyName, type OfferedBody,
   type OfferedContour } from "./exports.ts";
 import "./export.css";
 
-const { useThemSoon: useExportTexts } = laterTexts(loadExport);
-
 /** Writes bodies and contour of the open work, as they are when the dialog opens. `stem`: begin of the names of the files. */
 export function PartExport({ stem, done }: { readonly stem: string; readonly done: () => void }) {
-  const words = useExportTexts();
+  const words = useTextsSoon("export");
   return words && <Opened words={words} stem={stem} done={done} />;
 }
 
 function Opened({ words: t, stem, done }: { readonly words: ExportTexts; readonly stem: string; readonly done: () => void }) {
-  const { close } = useFirstTexts().page, lengths = useLengths();
+  const { close } = useTexts("first").page, lengths = useLengths();
   const shown = useOutcome((s) => s.shown), dimmed = useOutcome((s) => s.dimmed);
   const dialog = useRef<HTMLDialogElement>(null);
   const [said, say] = useState("");

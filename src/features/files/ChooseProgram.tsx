@@ -1,12 +1,12 @@
 import { useRef } from "react";
 import { filesOf, type ProgramWork } from "../../app/document/work.ts";
 import { endChoice, type ProgramChoice } from "../../app/document/choice.ts";
-import { useFilesTexts } from "../../app/base/use-files-texts.ts";
+import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { useModal } from "../../app/base/use-modal.ts";
 
 /** Asks which of several programs are opened. Closing it opens none. */
 export function ChooseProgram({ works, skipped, isCut, open, together }: ProgramChoice) {
-  const t = useFilesTexts();
+  const t = useTextsSoon("files");
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog);
   const take = (chosen: readonly ProgramWork[]) => () => {

@@ -1,12 +1,12 @@
 import { useLayoutEffect, useState } from "react";
-import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { openDropped } from "../../app/fields/open/open-program.ts";
 
 const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
 
 /** A program file may be dropped anywhere on the page; while it hovers, the page says so. */
 export function DropProgram() {
-  const t = useFirstTexts().page.programs;
+  const t = useTexts("first").page.programs;
   const [over, setOver] = useState(false);
   // As soon as the page is seen, a file may fall on it.
   useLayoutEffect(() => {

@@ -5,7 +5,7 @@ import { SPINDLE, type Advice } from "../../report/advice/advise.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { keepFocus } from "./keep-focus.ts";
 import { takeValue, useTaking } from "./take-value.ts";
-import { useAdviceTexts } from "../../app/fields/said/use-advice.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** One piece of advice in words. */
 function adviceText(t: AdviceTexts, language: Language, { code, data, better }: Advice): string {
@@ -30,7 +30,7 @@ function adviceText(t: AdviceTexts, language: Language, { code, data, better }: 
 
 /** Pieces of advice, each with the value that would do. */
 export function AdviceItems({ cycle, advice }: { readonly cycle: number; readonly advice: readonly Advice[] }) {
-  const t = useAdviceTexts();
+  const t = useTexts("advice");
   const language = useSettings((s) => s.language);
   const canTake = useTaking(cycle);
   return (

@@ -5,11 +5,12 @@ import { AdviceItems } from "./AdviceItems.tsx";
 import { CuttingDataTable } from "./CuttingDataTable.tsx";
 import { MaterialChoice } from "./MaterialChoice.tsx";
 import { StartingValues } from "./StartingValues.tsx";
-import { useAdvisedCalls, useAdviceTexts } from "../../app/fields/said/use-advice.ts";
+import { useAdvisedCalls } from "../../app/fields/said/use-advice.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** All advice on the open work, its material, and the cutting data that it goes by. */
 export function AdvicePage() {
-  const t = useAdviceTexts();
+  const t = useTexts("advice");
   const calls = useAdvisedCalls();
   const on = useSettings((s) => s.advice);
   const isOpen = useEditor((s) => s.work !== null);

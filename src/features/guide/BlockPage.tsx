@@ -18,9 +18,6 @@ import { showGuide } from "../../app/place/place.ts";
 import { useGuidedBlock } from "../../app/place/open-call.ts";
 import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
 import { takeIntoBlock } from "./take-value.ts";
-import { useGuideBlocks } from "./use-guide-blocks.ts";
-import { useGuidePlaces } from "./use-guide-places.ts";
-import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
 import { useTriedBlock } from "./use-tried-block.ts";
 import { ValueCard } from "./ValueCard.tsx";
 
@@ -53,8 +50,8 @@ interface Props {
 
 /** A word at its values, run by the kernel in the open program or in a small one. */
 function WordPictures({ kind, field }: Props) {
-  const t = useGuideTexts();
-  const blocks = useGuideBlocks();
+  const t = useTexts("guide");
+  const blocks = useTexts("guide-blocks");
   const { editor } = useTexts();
   const language = useSettings((s) => s.language);
   const word = wordOfField(field);
@@ -91,7 +88,7 @@ function WordPictures({ kind, field }: Props) {
 
 /** The rule of the control that a block, or a word, goes by. */
 function Rules({ sentences }: { readonly sentences: readonly string[] }) {
-  const blocks = useGuideBlocks();
+  const blocks = useTexts("guide-blocks");
   return (
     <section aria-label={blocks.rule}>
       <h2>{blocks.rule}</h2>
@@ -106,7 +103,7 @@ function Rules({ sentences }: { readonly sentences: readonly string[] }) {
 }
 
 function Mistakes({ sentences }: { readonly sentences: readonly string[] }) {
-  const t = useGuideTexts();
+  const t = useTexts("guide");
   return (
     <section className="guide-mistakes" aria-label={t.mistakes}>
       <h2>{t.mistakes}</h2>
@@ -117,7 +114,7 @@ function Mistakes({ sentences }: { readonly sentences: readonly string[] }) {
 
 /** What every M function does that is known here. */
 function Functions() {
-  const blocks = useGuideBlocks();
+  const blocks = useTexts("guide-blocks");
   return (
     <section aria-label={blocks.functions}>
       <h2>{blocks.functions}</h2>
@@ -137,7 +134,7 @@ function Functions() {
 
 /** The page of a kind of block: what it does, and the way to its words. */
 function OfBlock({ kind }: { readonly kind: PagedKind }) {
-  const blocks = useGuideBlocks();
+  const blocks = useTexts("guide-blocks");
   const { kinds: names } = useTexts().editor;
   useSources();
   const [source] = blockSources(kind, null);
@@ -167,7 +164,7 @@ function OfBlock({ kind }: { readonly kind: PagedKind }) {
 /** The ways to the words of a block. */
 function Words({ kind, source, but }: { readonly kind: BlockKind; readonly source: Statement; readonly but: string | null }) {
   const texts = useTexts();
-  const blocks = useGuideBlocks();
+  const blocks = useTexts("guide-blocks");
   const fields = fieldsOf(source).filter((field) => wordOfField(field) !== but && blockWordTexts(blocks, kind, wordOfField(field)));
   if (fields.length === 0) return null;
   return (
@@ -186,9 +183,9 @@ function Words({ kind, source, but }: { readonly kind: BlockKind; readonly sourc
 
 /** The page of a word of a block. */
 function OfWord({ kind, word }: { readonly kind: PagedKind; readonly word: string }) {
-  const t = useGuideTexts();
-  const blocks = useGuideBlocks();
-  const places = useGuidePlaces();
+  const t = useTexts("guide");
+  const blocks = useTexts("guide-blocks");
+  const places = useTexts("guide-places");
   const texts = useTexts();
   useSources();
   const [source] = blockSources(kind, word);
@@ -235,8 +232,8 @@ function OfWord({ kind, word }: { readonly kind: PagedKind; readonly word: strin
 
 /** A page of a block, by its name in the address: its kind, and the word behind a point. */
 export function BlockPage({ name }: { readonly name: string }) {
-  const t = useGuideTexts();
-  const { kinds } = useGuideBlocks();
+  const t = useTexts("guide");
+  const { kinds } = useTexts("guide-blocks");
   const [kind = "", ...rest] = name.split("."), word = rest.join(".");
   if (!Object.hasOwn(kinds, kind)) return <h1>{t.missing}</h1>;
   const known = kind as PagedKind;
@@ -245,7 +242,7 @@ export function BlockPage({ name }: { readonly name: string }) {
 
 /** The ways to the pages of all blocks. */
 export function BlockLinks() {
-  const { kinds } = useGuideBlocks();
+  const { kinds } = useTexts("guide-blocks");
   const { kinds: names } = useTexts().editor;
   return (Object.keys(kinds) as readonly PagedKind[]).map((kind) => (
     <GuideButton key={kind} to={blockPage(kind, null)}>{names[kind]}</GuideButton>

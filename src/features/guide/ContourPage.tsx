@@ -7,8 +7,6 @@ import { segmentData } from "../../view/path.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
-import { useGuidePlaces } from "./use-guide-places.ts";
-import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
 
 /** Elements with a size of their own, each at a small, a usual and a large one, mm. */
 const SIZED = [["RND", [2, 5, 9]], ["CHF", [1, 3, 7]], ["CR", [14, 20, 60]]] as const;
@@ -55,8 +53,8 @@ function ElementPicture({ kind, size, name }: { readonly kind: Sized; readonly s
 
 /** The page of the contour of a cycle: what stands in it, and what its elements do. */
 export function ContourPage() {
-  const t = useGuideTexts();
-  const { elements: places } = useGuidePlaces();
+  const t = useTexts("guide");
+  const { elements: places } = useTexts("guide-places");
   const { dialog: { contour: words }, contour: { kinds, intro } } = useTexts();
   const language = useSettings((s) => s.language);
   const sizes = [t.values.small, t.values.usual, t.values.large];

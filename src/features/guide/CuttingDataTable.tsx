@@ -6,7 +6,8 @@ import { downloadText } from "../../app/base/download.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
 import { changeSettings, useSettings } from "../../app/base/settings/settings.ts";
-import { useAdviceTexts, useCuttingTable } from "../../app/fields/said/use-advice.ts";
+import { useCuttingTable } from "../../app/fields/said/use-advice.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 const NUMBERS = ["roughSpeed", "roughFeed", "finishSpeed", "finishFeed", "kc11", "mc"] as const;
 
@@ -34,7 +35,7 @@ function Cell({ name, value, take, isText = false }: CellProps) {
 
 /** The shop's own cutting data: changed cell by cell, taken from a file, put back. */
 export function CuttingDataTable() {
-  const { table: t, values, groups } = useAdviceTexts();
+  const { table: t, values, groups } = useTexts("advice");
   const language = useSettings((s) => s.language);
   const table = useCuttingTable();
   const own = useSettings((s) => s.cutting !== "");

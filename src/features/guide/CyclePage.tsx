@@ -6,11 +6,10 @@ import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
 import { showGuide } from "../../app/place/place.ts";
 import { StepPlayer } from "./StepPlayer.tsx";
 import { useCycleRun } from "./use-cycle-run.ts";
-import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
 
 /** The numbered steps of a cycle as they run. */
 function CycleSteps({ cycle }: { readonly cycle: Cycle }) {
-  const t = useGuideTexts();
+  const t = useTexts("guide");
   const run = useCycleRun(cycle);
   return (
     <section className="guide-steps">
@@ -25,7 +24,7 @@ function CycleSteps({ cycle }: { readonly cycle: Cycle }) {
 
 /** The page of a cycle: what it does, its steps as they run, and the way to each of its parameters. */
 export function CyclePage({ cycle }: { readonly cycle: Cycle }) {
-  const t = useGuideTexts();
+  const t = useTexts("guide");
   const { cycles, dialog, params } = useTexts();
   const words = cycles.of[cycle.number as CycleNumber];
   return (

@@ -21,10 +21,7 @@ import { GuideButton } from "./GuideButton.tsx";
 import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
 import { keepFocus } from "./keep-focus.ts";
 import { takeIntoForm } from "./take-value.ts";
-import { useAdviceTexts } from "../../app/fields/said/use-advice.ts";
 import { useFormSource, type FormSource } from "./use-form-source.ts";
-import { useGuidePlaces } from "./use-guide-places.ts";
-import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
 import "../../app/pictures/help/help.css";
 import "../../app/pictures/plane/approach.css";
 import { Message } from "../../app/base/Message.tsx";
@@ -73,9 +70,9 @@ const PolarPlace = ({ from, to }: { readonly from: Place; readonly to: Place }) 
 
 /** A form with one value: its picture with its points, and how long its way is. */
 function FormValue({ word, form, source, frame, size }: CardProps) {
-  const t = useGuideTexts();
-  const places = useGuidePlaces();
-  const advice = useAdviceTexts();
+  const t = useTexts("guide");
+  const places = useTexts("guide-places");
+  const advice = useTexts("advice");
   const { approach: words } = useTexts();
   const language = useSettings((s) => s.language), lengths = useMemo(() => lengthsOf(language, "mm"), [language]);
   const issueText = useIssueText();
@@ -148,7 +145,7 @@ function FormValue({ word, form, source, frame, size }: CardProps) {
 
 /** A form at a small, the usual and a large value of one of its words. */
 function FormValues({ word, source }: { readonly word: SizedWord; readonly source: FormSource }) {
-  const t = useGuideTexts();
+  const t = useTexts("guide");
   const { approach: words } = useTexts();
   const { prompt, about } = words.words[word];
   const shown = useMemo(() => {
@@ -178,8 +175,8 @@ function FormValues({ word, source }: { readonly word: SizedWord; readonly sourc
 export function FormPage({ form, departing, word }: { readonly form: ApproachForm; readonly departing: boolean;
   readonly word: string | null })
 {
-  const t = useGuideTexts();
-  const { form: places, approach: title } = useGuidePlaces();
+  const t = useTexts("guide");
+  const { form: places, approach: title } = useTexts("guide-places");
   const { approach: words } = useTexts();
   const source = useFormSource(form, departing), shape = shapeOf(form);
   if (!source) return <h1>{t.missing}</h1>;

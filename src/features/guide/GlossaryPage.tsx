@@ -4,16 +4,15 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { showGuide } from "../../app/place/place.ts";
 import { Said, SaidOnPage } from "../../app/fields/said/Said.tsx";
 import { TermUses } from "./TermUses.tsx";
-import { useGlossary } from "../../app/fields/said/use-glossary.ts";
-import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** A text as it is sought: small letters, no accents. */
 const plain = (text: string) => text.normalize("NFD").replaceAll(/\p{M}/gu, "").toLowerCase();
 
 /** All words with what they mean, those that match what is typed; one of them may be asked for by the address: it says where it is used. */
 export function GlossaryPage({ term }: { readonly term: string | null }) {
-  const { glossary: t } = useGuideTexts();
-  const words = useGlossary();
+  const { glossary: t } = useTexts("guide");
+  const words = useTexts("glossary");
   const language = useSettings((s) => s.language);
   const [sought, seek] = useState("");
   const asked = useRef<HTMLDivElement>(null);

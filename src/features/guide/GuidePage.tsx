@@ -18,17 +18,13 @@ import { isSetupPage, SETUP_PAGES, type SetupPageId } from "./setup-variants.ts"
 import { setupPageWords } from "./setup-page-words.ts";
 import { SetupPlacePage } from "./SetupPlacePage.tsx";
 import { Taken } from "./Taken.tsx";
-import { useAdviceTexts } from "../../app/fields/said/use-advice.ts";
-import { useGuideBlocks } from "./use-guide-blocks.ts";
-import { useGuidePlaces } from "./use-guide-places.ts";
-import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
 import "./guide.css";
 
 /** All cycles, then the other prompts, each leading to its own page. */
 function CycleList() {
-  const t = useGuideTexts();
-  const places = useGuidePlaces();
-  const blocks = useGuideBlocks();
+  const t = useTexts("guide");
+  const places = useTexts("guide-places");
+  const blocks = useTexts("guide-blocks");
   const texts = useTexts();
   const own = [...useOwnCycles().values()];
   return (
@@ -81,7 +77,7 @@ function CycleList() {
 
 /** All blocks of a program, each leading to its own page. */
 function BlockList() {
-  const blocks = useGuideBlocks();
+  const blocks = useTexts("guide-blocks");
   return (
     <>
       <h1>{blocks.title}</h1>
@@ -95,7 +91,7 @@ function BlockList() {
 
 /** The page of a cycle, or of one of its parameters. */
 function OfCycle({ number, q }: { readonly number: number; readonly q: string | undefined }) {
-  const t = useGuideTexts();
+  const t = useTexts("guide");
   const cycle = cycleByNumber(number);
   const own = useOwnCycles().get(number);
   const param = q === undefined ? undefined : cycle?.params[q];
@@ -107,7 +103,7 @@ function OfCycle({ number, q }: { readonly number: number; readonly q: string | 
 }
 
 function Shown({ path: [page, first, second] }: { readonly path: GuidePath }) {
-  const t = useGuideTexts();
+  const t = useTexts("guide");
   if (page === "glossary") return <GlossaryPage term={first ?? null} />;
   if (first === undefined) return <CycleList />;
   if (first === "advice") return <AdvicePage />;
@@ -122,8 +118,8 @@ function Shown({ path: [page, first, second] }: { readonly path: GuidePath }) {
 
 /** The guide in place of what is open: a parameter, a cycle with its steps, or the glossary. */
 export function GuidePage() {
-  const t = useGuideTexts();
-  const advice = useAdviceTexts();
+  const t = useTexts("guide");
+  const advice = useTexts("advice");
   const shown = usePlace(guidePath) ?? [];
   const [page, first, second] = shown;
   const back = useRef<HTMLButtonElement>(null);

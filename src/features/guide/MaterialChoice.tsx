@@ -1,7 +1,8 @@
 import { setMaterial } from "../../app/document/edits.ts";
 import { changeSettings, useSettings } from "../../app/base/settings/settings.ts";
 import { useEditor } from "../../app/document/store.ts";
-import { useAdviceTexts, useCuttingTable, useMaterialOfWork } from "../../app/fields/said/use-advice.ts";
+import { useCuttingTable, useMaterialOfWork } from "../../app/fields/said/use-advice.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 function Materials() {
   const { materials } = useCuttingTable();
@@ -10,7 +11,7 @@ function Materials() {
 
 /** The material of the open work. */
 export function WorkMaterial() {
-  const t = useAdviceTexts();
+  const t = useTexts("advice");
   const { own } = useMaterialOfWork();
   return (
     <label>
@@ -25,7 +26,7 @@ export function WorkMaterial() {
 
 /** The material of the open work, and of works that name none. */
 export function MaterialChoice() {
-  const t = useAdviceTexts();
+  const t = useTexts("advice");
   const { materials } = useCuttingTable();
   const device = useSettings((s) => s.material);
   const isOpen = useEditor((s) => s.work !== null);

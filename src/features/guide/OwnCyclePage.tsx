@@ -1,15 +1,13 @@
 import { formatNumber } from "../../i18n/number.ts";
 import { OWN_DECIMALS, type OwnCycle } from "../../program/edits/own-cycle.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
 
 /** The page of a cycle that the operator has described, one of its parameters first: what is known of it, and that nobody here runs it. */
 export function OwnCyclePage({ own, q }: { readonly own: OwnCycle; readonly q: string | null }) {
-  const t = useGuideTexts();
+  const t = useTexts("guide");
   const { dialog } = useTexts();
-  const { own: words } = useTableTexts();
+  const { own: words } = useTexts("tables");
   const language = useSettings((s) => s.language);
   const number = (value: number) => formatNumber(language, value, OWN_DECIMALS);
   const sorted = own.parameters.toSorted((a, b) => Number(b.q === q) - Number(a.q === q));

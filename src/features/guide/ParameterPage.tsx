@@ -17,9 +17,7 @@ import { showGuide } from "../../app/place/place.ts";
 import { guideSources } from "./guide-source.ts";
 import { StartingValues } from "./StartingValues.tsx";
 import { termsOf } from "./terms.ts";
-import { useAdviceOn, useAdviceTexts } from "../../app/fields/said/use-advice.ts";
-import { useGlossary } from "../../app/fields/said/use-glossary.ts";
-import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
+import { useAdviceOn } from "../../app/fields/said/use-advice.ts";
 import { useMistakes } from "./use-mistakes.ts";
 import { ValuePictures } from "./ValuePictures.tsx";
 
@@ -31,7 +29,7 @@ interface Props {
 
 /** What it measures, in which unit, between which bounds. */
 function Facts({ cycle, q, param }: Props) {
-  const t = useGuideTexts();
+  const t = useTexts("guide");
   const { dialog, cycles } = useTexts();
   const language = useSettings((s) => s.language);
   const number = (value: number) => formatNumber(language, value, param.decimals);
@@ -70,7 +68,7 @@ function Facts({ cycle, q, param }: Props) {
 
 /** The two numbered sequences, with the steps that the value acts in. */
 function ActsIn({ cycle, param }: Omit<Props, "q">) {
-  const t = useGuideTexts();
+  const t = useTexts("guide");
   const words = useTexts().cycles.of[cycle.number as CycleNumber];
   const acts = actsIn(cycle, param);
   const isNowhere = acts.rough.length + acts.finish.length === 0;
@@ -102,7 +100,7 @@ function ActsIn({ cycle, param }: Omit<Props, "q">) {
 
 /** What is to be said about the value in the open work. */
 function ParameterAdvice({ cycle, q }: Pick<Props, "cycle" | "q">) {
-  const t = useAdviceTexts();
+  const t = useTexts("advice");
   const on = useSettings((s) => s.advice);
   const advice = useAdviceOn(cycle.number, q);
   if (!on || advice.length === 0) return null;
@@ -117,8 +115,8 @@ function ParameterAdvice({ cycle, q }: Pick<Props, "cycle" | "q">) {
 
 /** The page of one parameter of a cycle. */
 export function ParameterPage({ cycle, q, param }: Props) {
-  const t = useGuideTexts();
-  const glossary = useGlossary();
+  const t = useTexts("guide");
+  const glossary = useTexts("glossary");
   const mistakes = useMistakes(param);
   const { params, cycles } = useTexts();
   const language = useSettings((s) => s.language);

@@ -2,13 +2,13 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { type GuidePath, showGuide } from "../../app/place/place.ts";
-import { useAdviceOn, useAdviceTextsSoon } from "../../app/fields/said/use-advice.ts";
-import { useGuideTextsSoon } from "../../app/fields/said/use-guide-texts.ts";
+import { useAdviceOn } from "../../app/fields/said/use-advice.ts";
 import "../../app/fields/said/prompt-more.css";
+import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 
 /** A quiet mark where there is advice on the value of a prompt. */
 function AdviceMark({ cycle, q }: { readonly cycle: number; readonly q: string }) {
-  const t = useAdviceTextsSoon();
+  const t = useTextsSoon("advice");
   const { length: count } = useAdviceOn(cycle, q);
   if (!t || count === 0) return null;
   return (
@@ -20,7 +20,7 @@ function AdviceMark({ cycle, q }: { readonly cycle: number; readonly q: string }
 
 /** The way from a prompt to its page of the guide, and to what there is to say about its value. */
 export function PromptMore({ page, name }: { readonly page: GuidePath; readonly name: string }) {
-  const t = useGuideTextsSoon();
+  const t = useTextsSoon("guide");
   const on = useSettings((s) => s.advice);
   if (!t) return null;
   const [, first, q] = page;

@@ -14,8 +14,6 @@ import { setupPageWords } from "./setup-page-words.ts";
 import { SETUP_PAGES, type SetupPageId } from "./setup-variants.ts";
 import { takeSetup } from "./take-value.ts";
 import { StartingValues } from "./StartingValues.tsx";
-import { useGuidePlaces } from "./use-guide-places.ts";
-import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
 import { useTriedSetup } from "./use-tried-setup.ts";
 import { ValueCard } from "./ValueCard.tsx";
 
@@ -29,8 +27,8 @@ function useShownCycle() {
 
 /** What the set-up does at other values, run by the kernel. */
 function SetupPictures({ id }: { readonly id: SetupPageId }) {
-  const t = useGuideTexts();
-  const places = useGuidePlaces();
+  const t = useTexts("guide");
+  const places = useTexts("guide-places");
   const texts = useTexts();
   const language = useSettings((s) => s.language);
   const tools = useToolList();
@@ -66,8 +64,8 @@ function SetupPictures({ id }: { readonly id: SetupPageId }) {
 
 /** The page of a prompt or field of the set-up. */
 export function SetupPlacePage({ id }: { readonly id: SetupPageId }) {
-  const t = useGuideTexts();
-  const places = useGuidePlaces();
+  const t = useTexts("guide");
+  const places = useTexts("guide-places");
   const texts = useTexts();
   const cycle = useShownCycle();
   const { letter, name, unit } = setupPageWords(texts, id);

@@ -4,9 +4,10 @@ import { SPINDLE } from "../../report/advice/advise.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { startingValues } from "./starting.ts";
 import { StartingRows } from "./StartingRows.tsx";
-import { useAdviceTexts, useMaterialOfWork } from "../../app/fields/said/use-advice.ts";
+import { useMaterialOfWork } from "../../app/fields/said/use-advice.ts";
 import { WorkMaterial } from "./MaterialChoice.tsx";
 import "./setup-start.css";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 interface Props {
   readonly cycle: Cycle;
@@ -18,7 +19,7 @@ interface Props {
 
 /** What the material of the work is usually begun with, quietly below the speed of the set-up. */
 export function SetupStart({ cycle, surface, perRevolution }: Props) {
-  const t = useAdviceTexts();
+  const t = useTexts("advice");
   const language = useSettings((s) => s.language);
   const on = useSettings((s) => s.advice);
   const own = useSettings((s) => s.cutting !== "");

@@ -3,12 +3,12 @@ import { SPINDLE } from "../../report/advice/advise.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import type { StartingValue } from "./starting.ts";
 import { takeValue, useTaking } from "./take-value.ts";
-import { useAdviceTexts } from "../../app/fields/said/use-advice.ts";
 import "./setup-start.css";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** Starting values, each with the way into the work. */
 export function StartingRows({ cycle, rows }: { readonly cycle: number; readonly rows: readonly StartingValue[] }) {
-  const t = useAdviceTexts();
+  const t = useTexts("advice");
   const language = useSettings((s) => s.language);
   const canTake = useTaking(cycle);
   return (

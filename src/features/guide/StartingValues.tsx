@@ -1,11 +1,12 @@
 import type { Cycle } from "../../cycles/define.ts";
 import { startingValues } from "./starting.ts";
 import { StartingRows } from "./StartingRows.tsx";
-import { useAdviceTexts, useMaterialOfWork } from "../../app/fields/said/use-advice.ts";
+import { useMaterialOfWork } from "../../app/fields/said/use-advice.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** Starting values of the material for the feeds of a cycle and for the speed: of one prompt, or of all; nothing where none is for it. */
 export function StartingValues({ cycle, only = null }: { readonly cycle: Cycle; readonly only?: string | null }) {
-  const t = useAdviceTexts();
+  const t = useTexts("advice");
   const { material } = useMaterialOfWork();
   const rows = startingValues(cycle, material).filter(({ at }) => only === null || at === only);
   if (rows.length === 0) return null;

@@ -18,7 +18,6 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { CutPicture } from "./CutPicture.tsx";
 import type { CycleRun } from "./use-cycle-run.ts";
-import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
 
 /** Milliseconds in a second of the clock. */
 const SECOND = 1000;
@@ -38,7 +37,7 @@ function other(pieces: readonly StepPiece[], index: number, by: 1 | -1): number 
 
 /** The numbered steps of a cycle, each played with its piece of the run. */
 export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle: Cycle; readonly run: CycleRun }) {
-  const { steps: t, acts } = useGuideTexts();
+  const { steps: t, acts } = useTexts("guide");
   const { cycles } = useTexts();
   const still = useSettings(reducedMotion);
   const words = cycles.of[cycle.number as CycleNumber];

@@ -5,11 +5,11 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { undo } from "../../app/document/steps.ts";
 import { keepFocus } from "./keep-focus.ts";
 import { forgetTaken, useTaken } from "./taken.ts";
-import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** Says which value was taken over from this page into the work, and takes it back. */
 export function Taken({ page }: { readonly page: string }) {
-  const t = useGuideTexts();
+  const t = useTexts("guide");
   const language = useSettings((s) => s.language);
   const taken = useTaken();
   useEffect(forgetTaken, [page]);

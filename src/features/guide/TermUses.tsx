@@ -2,15 +2,13 @@ import { useEffect, useState } from "react";
 import type { ParamTextId } from "../../cycles/index.ts";
 import type { GlossaryTexts, TermId } from "../../i18n/glossary-text.ts";
 import type { Language } from "../../i18n/languages.ts";
-import { fetchLesson, inScreenLanguage, useCourseIndex, type LessonEntry } from "../../app/records/course/content.ts";
+import { inScreenLanguage } from "../../course/words.ts";
+import { fetchLesson, useCourseIndex, type LessonEntry } from "../../app/records/course/content.ts";
 import { courseHref } from "../../app/place/course-links.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { setupPageWords } from "./setup-page-words.ts";
 import { usesTerm, usingParameters, usingSetupPages } from "./term-uses.ts";
-import { useGlossary } from "../../app/fields/said/use-glossary.ts";
-import { useGuidePlaces } from "./use-guide-places.ts";
-import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
 
 /** A page of a lesson that uses a word first. */
 interface UsingLesson {
@@ -29,7 +27,7 @@ function useLessons(term: TermId, glossary: GlossaryTexts, language: Language): 
         const lesson = await fetchLesson(entry.id).catch(() => null);
         if (gone) return;
         const pages = lesson ? inScreenLanguage(lesson.words, language)?.pages ?? [] : [];
-        const at = pages.findIndex((text) => usesTerm([text], term, glossary, language));
+        const at = pages.findIndex((text) => usesTerm([text], term, glossary));
         if (at >= 0) find((was) => [...was.filter((each) => each.entry.id !== entry.id), { entry, page: at + 1 }]);
       }
     })();
@@ -42,13 +40,13 @@ function useLessons(term: TermId, glossary: GlossaryTexts, language: Language): 
 
 /** Where a word is used: the prompts whose pages speak of it, the set-up, and the lessons. */
 export function TermUses({ term }: { readonly term: TermId }) {
-  const { glossary: t } = useGuideTexts();
+  const { glossary: t } = useTexts("guide");
   const texts = useTexts();
-  const places = useGuidePlaces();
-  const glossary = useGlossary();
+  const places = useTexts("guide-places");
+  const glossary = useTexts("glossary");
   const language = useSettings((s) => s.language);
   const lessons = useLessons(term, glossary, language);
-  const parameters = usingParameters(term), setup = usingSetupPages(term, places, glossary, language);
+  const parameters = usingParameters(term), setup = usingSetupPages(term, places, glossary);
   if (parameters.length + setup.length + lessons.length === 0) return null;
   return (
     <section className="term-uses" aria-label={t.used}>

@@ -10,9 +10,8 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { CutPicture } from "./CutPicture.tsx";
 import { keepFocus } from "./keep-focus.ts";
 import type { TriedOutcome } from "./tried.ts";
-import { useAdviceTexts } from "../../app/fields/said/use-advice.ts";
-import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
 import { Message } from "../../app/base/Message.tsx";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** What a value changes against the usual one, in words. */
 function changeText(t: GuideTexts, language: Language, { passes, seconds, residual, rz, part, way }: ShownChange): string {
@@ -48,8 +47,8 @@ interface Props {
 
 /** One value with its picture and its numbers. */
 export function ValueCard({ tried, box, letter, text, unit, size, whose, meaning, take, whole = false }: Props) {
-  const t = useGuideTexts();
-  const advice = useAdviceTexts();
+  const t = useTexts("guide");
+  const advice = useTexts("advice");
   const language = useSettings((s) => s.language);
   const issueText = useIssueText();
   const { effect, change, outcome } = tried, { run } = outcome;

@@ -7,13 +7,12 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { unitOf } from "../../app/fields/dialog/write-value.ts";
 import { takeValue, useTaking } from "./take-value.ts";
-import { useGuideTexts } from "../../app/fields/said/use-guide-texts.ts";
 import { useTriedValues } from "./use-tried-values.ts";
 import { ValueCard } from "./ValueCard.tsx";
 
 /** What a parameter does, at its values; one that is reserved does nothing. */
 export function ValuePictures({ cycle, q, param }: { readonly cycle: Cycle; readonly q: string; readonly param: Param }) {
-  const t = useGuideTexts();
+  const t = useTexts("guide");
   if (!param.reserved) return <TriedPictures cycle={cycle} q={q} param={param} />;
   return (
     <section className="guide-values" aria-label={t.values.title}>
@@ -25,7 +24,7 @@ export function ValuePictures({ cycle, q, param }: { readonly cycle: Cycle; read
 
 /** A parameter at a small, a usual and a large value, or at each of its choices, run by the kernel. */
 function TriedPictures({ cycle, q, param }: { readonly cycle: Cycle; readonly q: string; readonly param: Param }) {
-  const t = useGuideTexts();
+  const t = useTexts("guide");
   const { dialog: { units }, params } = useTexts();
   const language = useSettings((s) => s.language);
   const { made: values, working } = useTriedValues(cycle, q);

@@ -1,7 +1,6 @@
 import { cuttingCycles } from "../../cycles/index.ts";
 import type { GlossaryTexts, TermId } from "../../i18n/glossary-text.ts";
 import type { GuidePlacesTexts } from "../../i18n/en/guide-places.ts";
-import type { Language } from "../../i18n/languages.ts";
 import { SETUP_PAGES, type SetupPageId } from "./setup-variants.ts";
 import { termParts } from "../../app/fields/said/term-parts.ts";
 import { termsOf } from "./terms.ts";
@@ -22,13 +21,12 @@ export function usingParameters(term: TermId): readonly UsingParameter[] {
 }
 
 /** Whether one of several texts uses a word. */
-export const usesTerm = (texts: readonly string[], term: TermId, glossary: GlossaryTexts, language: Language): boolean =>
-  termParts(texts, glossary, language).some((parts) => parts.some((part) => part.term === term));
+export const usesTerm = (texts: readonly string[], term: TermId, glossary: GlossaryTexts): boolean =>
+  termParts(texts, glossary).some((parts) => parts.some((part) => part.term === term));
 
 /** The pages of the set-up that use a word. */
 export const usingSetupPages = (
   term: TermId,
   { places }: Pick<GuidePlacesTexts, "places">,
   glossary: GlossaryTexts,
-  language: Language,
-): readonly SetupPageId[] => SETUP_PAGES.filter((id) => usesTerm([places[id].about, ...places[id].mistakes], term, glossary, language));
+): readonly SetupPageId[] => SETUP_PAGES.filter((id) => usesTerm([places[id].about, ...places[id].mistakes], term, glossary));

@@ -9,7 +9,7 @@ import { Icon } from "../../app/base/Icon.tsx";
 import { Message } from "../../app/base/Message.tsx";
 import { copyText, useCopying } from "../../app/findings/copy.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { useTexts, useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { controlInUse, machineInUse } from "../../app/document/work-tools.ts";
 import type { Work } from "../../app/document/work.ts";
 import { HandingDialog } from "../../app/base/HandingDialog.tsx";
@@ -19,7 +19,6 @@ import { QrCode } from "./QrCode.tsx";
 import { LONGEST_QR } from "./qr.ts";
 import { isHereOnly } from "../../app/records/reach.ts";
 import { canShare, share } from "./share-sheet.ts";
-import { useHandedTexts } from "./use-handed-texts.ts";
 import { WorkFacts } from "./WorkFacts.tsx";
 
 const pageAddress = () => location.href.replace(/[?#].*$/, "");
@@ -54,7 +53,7 @@ interface Props {
 
 /** The ways to hand the open work on with all that it runs with. */
 export function HandOnDialog({ open, verdict, done }: Props) {
-  const words = useHandedTexts();
+  const words = useTextsSoon("handed");
   const ready = usePacked(open);
   if (!words) return null;
   const tools = ready?.work.tools;

@@ -6,7 +6,7 @@ import { useTools } from "../../app/document/tool-store.ts";
 import { HandingDialog } from "../../app/base/HandingDialog.tsx";
 import { leaveIncoming, takeIncoming, useIncoming, type Incoming } from "../../app/records/incoming.ts";
 import { inMyTable } from "./in-my-table.ts";
-import { useHandedTexts } from "./use-handed-texts.ts";
+import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { WorkFacts } from "./WorkFacts.tsx";
 
 /** What a link or a file holds, before anything of it is opened. */
@@ -16,7 +16,7 @@ export function IncomingDialog() {
 }
 
 function Inside({ incoming }: { readonly incoming: Incoming }) {
-  const words = useHandedTexts();
+  const words = useTextsSoon("handed");
   const mine = useTools((s) => s.list);
   const { control: device, machine } = useSettings();
   const { work, from } = incoming;

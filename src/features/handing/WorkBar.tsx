@@ -5,7 +5,7 @@ import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { handedOn, useEditor } from "../../app/document/store.ts";
 import { nameOfMachine } from "./machine-name.ts";
-import { useHandedTexts } from "./use-handed-texts.ts";
+import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { WorkTools } from "./WorkTools.tsx";
 import "../../app/base/handing.css";
 
@@ -17,7 +17,7 @@ function saidOf(words: HandedTexts, tools: number | undefined, control: Control 
 
 /** Says that the open work runs with what it was handed on with, and leads to it. */
 export function WorkBar() {
-  const words = useHandedTexts();
+  const words = useTextsSoon("handed");
   const tools = useEditor((s) => handedOn(s).tools);
   const control = useEditor((s) => handedOn(s).control);
   const device = useSettings((s) => s.control);

@@ -4,7 +4,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import { parse } from "../../nc/parse.ts";
 import { printedText } from "../../app/document/printed.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { nameOfMachine } from "./machine-name.ts";
 import { filesOf, isProgram, textsOf, type Work } from "../../app/document/work.ts";
 
@@ -24,7 +24,7 @@ function measured(work: Work) {
 export function WorkFacts({ words, work, tools, control, machine }: { readonly words: HandedTexts; readonly work: Work;
   readonly tools: ReactNode; readonly control: ReactNode; readonly machine: string })
 {
-  const { menu } = useFirstTexts();
+  const { menu } = useTexts("first");
   const language = useSettings((s) => s.language);
   const { blocks, size } = useMemo(() => measured(work), [work]);
   const files = isProgram(work) ? filesOf(work) : [];

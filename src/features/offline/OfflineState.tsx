@@ -1,10 +1,10 @@
 import { lookForNewer, updateNow } from "./offline.ts";
-import { useOfflineTexts } from "./use-offline-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useVersion } from "../../app/base/version.ts";
 
 /** Which version this is, whether all of it is on the device, and the way to a newer one. */
 export function OfflineState() {
-  const t = useOfflineTexts();
+  const t = useTexts("offline");
   const { kept, newer, looked } = useVersion();
   return (
     <div className="offline-state">

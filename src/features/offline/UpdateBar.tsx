@@ -1,11 +1,11 @@
 import { Icon } from "../../app/base/Icon.tsx";
-import { useOfflineTexts } from "./use-offline-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { updateNow } from "./offline.ts";
 import { useVersion } from "../../app/base/version.ts";
 
 /** Says that a newer version is here. The page goes on as it is until somebody presses the button. */
 export function UpdateBar() {
-  const t = useOfflineTexts();
+  const t = useTexts("offline");
   const newer = useVersion((v) => v.newer);
   return (
     <p className="notice">

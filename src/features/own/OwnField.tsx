@@ -2,14 +2,13 @@ import type { ReactNode } from "react";
 import type { OwnProblem } from "../../program/edits/own-cycle.ts";
 import { LabelledInput } from "../../app/fields/number/LabelledInput.tsx";
 import { Message } from "../../app/base/Message.tsx";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { closeStep } from "../../app/document/steps.ts";
 
 /** What is wrong with a field. What is only not there yet is said calmly. */
 export function OwnProblems({ problems, text }: { readonly problems: readonly OwnProblem[]; readonly text: string }) {
   const t = useTexts();
-  const { own } = useTableTexts();
+  const { own } = useTexts("tables");
   const tone = text.trim() === "" ? "info" : "error";
   return problems.map((problem) => (
     <Message key={problem.code} tone={tone}>

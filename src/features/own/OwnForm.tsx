@@ -4,7 +4,7 @@ import { statementLines } from "../../nc/print.ts";
 import { LAYOUTS } from "../../nc/style.ts";
 import { ownStatement, type OwnEntry, type OwnReading } from "../../program/edits/own-cycle.ts";
 import { Icon } from "../../app/base/Icon.tsx";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { addParameter, hasRoom, setHead } from "../../app/fields/blocks/own-edits.ts";
 import { OwnField, OwnProblems } from "./OwnField.tsx";
 import { ParameterCard } from "./ParameterCard.tsx";
@@ -30,7 +30,7 @@ interface Props {
 
 /** The description of one cycle, and the block that it writes. */
 export function OwnForm({ entry, reading, name, onDuplicate, onRemove }: Props) {
-  const t = useTableTexts().own;
+  const t = useTexts("tables").own;
   const form = useRef<HTMLElement>(null);
   const at = (field: string) => reading.problems.filter((problem) => problem.at === field);
   const add = () => {

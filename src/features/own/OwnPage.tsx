@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import type { OwnEntry } from "../../program/edits/own-cycle.ts";
 import { Icon } from "../../app/base/Icon.tsx";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { TableStatus, type TableSaid } from "../../app/fields/table/TableStatus.tsx";
 import { TableTabs } from "../../app/fields/table/TableTabs.tsx";
 import { openOwn, showToolKind, showTools, uncover, usePlace } from "../../app/place/place.ts";
@@ -15,7 +15,7 @@ import "./own.css";
 
 /** The own cycles of this device: the list, and beside it the description of one. */
 export function OwnPage() {
-  const t = useTableTexts().own;
+  const t = useTexts("tables").own;
   const list = useOwn((s) => s.list);
   const { row: asked, focus } = usePlace((p) => p.own);
   const [said, setSaid] = useState<TableSaid | null>(null);

@@ -1,7 +1,7 @@
 import { useId } from "react";
 import { fieldId, OWN_KINDS, type OwnCell, type OwnKind, type OwnParameterEntry, type OwnProblem } from "../../program/edits/own-cycle.ts";
 import { Icon, type IconName } from "../../app/base/Icon.tsx";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { closeStep } from "../../app/document/steps.ts";
 import { moveParameter, removeParameter, setOwnParameter } from "../../app/fields/blocks/own-edits.ts";
 import { OwnField } from "./OwnField.tsx";
@@ -19,7 +19,7 @@ const isKind = (text: string): text is OwnKind => OWN_KINDS.some((kind) => kind 
 
 /** One parameter of a description. */
 export function ParameterCard({ cycle, parameter, at, count, problems }: Props) {
-  const t = useTableTexts().own;
+  const t = useTexts("tables").own;
   const id = useId();
   const q = parameter.q.trim() || String(at + 1);
   const cell = (name: OwnCell, kind: "number" | "text" = "text", hint?: string) => (

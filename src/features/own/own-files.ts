@@ -1,4 +1,4 @@
-import type { OwnTexts } from "../../i18n/en/own.ts";
+import type { OwnTexts } from "../../i18n/en/tables/own.ts";
 import { OWN_SIZES } from "../../program/edits/own-cycle.ts";
 import { readLibraryFile, writeLibrary } from "../../program/edits/own-library.ts";
 import { downloadText } from "../../app/base/download.ts";

@@ -1,4 +1,5 @@
 import { useMemo, type ReactNode } from "react";
+import { SCREEN_LANGUAGES } from "../../i18n/languages.ts";
 import type { SheetTexts } from "../../i18n/en/sheet.ts";
 import { useListed, useVerdict } from "../../app/findings/use-findings.ts";
 import { toneOf, type ShownVerdict } from "../../app/findings/verdict.ts";
@@ -94,7 +95,7 @@ export function SetupSheet({ source, t, date }: { readonly source: SheetSource; 
   const words = useMemo(() => sheetWords(texts, t, lengths), [texts, t, lengths]);
   const { data, outcome, program, control, file, remarks } = source;
   const name = data.name || file, measured = useSheetMeasured(outcome);
-  const comma = language === "zh" ? "、" : ", ";
+  const { comma } = SCREEN_LANGUAGES[language];
   const head: readonly (readonly [string, ReactNode])[] = [
     [t.head.file, file],
     [t.head.control, control],

@@ -7,7 +7,7 @@ import { radius, toDiameter } from "../../kernel/units.ts";
 import { boundsOf } from "../../view/bounds.ts";
 import { missingFiles } from "../../app/calculation/missing-files.ts";
 import { filesOf, type ProgramWork } from "../../app/document/work.ts";
-import { useClampingTexts } from "../../app/fields/setup/clamping-texts.ts";
+import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import type { SheetWords } from "./sheet-words.ts";
 import type { SheetSource } from "./use-sheet.ts";
 
@@ -40,7 +40,7 @@ function clampingSaid(c: Clamping, t: ClampingTexts, words: SheetWords): readonl
 export function SheetFacts({ source: { data, outcome }, work, t, words, comma }: { readonly source: SheetSource;
   readonly work: ProgramWork | null; readonly t: SheetTexts["facts"]; readonly words: SheetWords; readonly comma: string })
 {
-  const run = outcome?.run ?? null, clamping = useClampingTexts(), held = run?.clamping?.clamping;
+  const run = outcome?.run ?? null, clamping = useTextsSoon("clamping"), held = run?.clamping?.clamping;
   const box = run ? boundsOf(run.blank.flat()) : null;
   const cuts = run ? boundsOf(run.steps.filter(({ move }) => move.kind !== "rapid").map(({ move }) => move.to)) : null;
   const limits = data.operations.flatMap(({ spindle }) => spindle ? [spindle.kind === "surface" ? spindle.limit : spindle.speed] : [])

@@ -7,11 +7,12 @@ import { measurablePlane } from "../../app/pictures/plane/plane-source.ts";
 import { measuredIn } from "../../app/document/edits.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import { useLengths } from "../../app/calculation/lengths.ts";
-import { measurementWords, useMeasureTexts } from "../../app/pictures/measure/measure-words.ts";
+import { measurementWords } from "../../app/pictures/measure/measure-words.ts";
 import { readIn } from "../../app/pictures/measure/readings.ts";
 import { measurableRun } from "../../app/pictures/measure/source.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useEditor } from "../../app/document/store.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 const NOTHING: readonly MeasurementNow[] = [];
 
@@ -27,7 +28,7 @@ export function useSheetMeasured(outcome: Outcome | null): readonly MeasurementN
 
 /** Those that are drawn: of the finished part. Half-made parts and milled planes are not on the drawing. */
 export function useDrawnMeasured(measured: readonly MeasurementNow[], run: Run | undefined): readonly SheetMeasurement[] {
-  const t = useMeasureTexts(), lengths = useLengths(run);
+  const t = useTexts("measure"), lengths = useLengths(run);
   return useMemo(() =>
     measured.flatMap((each) => {
       const { measurement: { id, plane, moment }, figure, isOld } = each;
@@ -40,7 +41,7 @@ export function useDrawnMeasured(measured: readonly MeasurementNow[], run: Run |
 export function SheetMeasured({ measured, run, t }: { readonly measured: readonly MeasurementNow[]; readonly run: Run | undefined;
   readonly t: SheetTexts })
 {
-  const own = useMeasureTexts(), lengths = useLengths(run);
+  const own = useTexts("measure"), lengths = useLengths(run);
   if (measured.length === 0) return null;
   const said = measured.filter(({ isOld }) => !isOld), old = measured.length - said.length;
   return (

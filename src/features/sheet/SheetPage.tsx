@@ -8,8 +8,9 @@ import { useEditor } from "../../app/document/store.ts";
 import { LONGEST_REMARKS } from "../../app/document/work.ts";
 import { SetupSheet } from "./SetupSheet.tsx";
 import { uncover } from "../../app/place/place.ts";
-import { useSheetSource, useSheetTexts } from "./use-sheet.ts";
+import { useSheetSource } from "./use-sheet.ts";
 import "./sheet.css";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** The moment that the sheet says it was made; printing makes it anew. */
 function useNow(): Date {
@@ -37,7 +38,7 @@ function useFoot(text: string, page: string): void {
 
 /** The sheet for the setter, as it will be printed, with what is chosen and written on it. */
 export function SheetPage() {
-  const t = useSheetTexts();
+  const t = useTexts("sheet");
   const source = useSheetSource();
   const { language, paper, sheetProgram, sheetMeasured } = useSettings();
   const isMeasured = useEditor((s) => measuredIn(s).length > 0);

@@ -1,5 +1,4 @@
 import { useMemo } from "react";
-import { loadSheet } from "../../i18n/load-sheet.ts";
 import { parse } from "../../nc/parse.ts";
 import type { Program } from "../../nc/program.ts";
 import type { Control } from "../../program/tools/plane-types.ts";
@@ -7,13 +6,9 @@ import { setupData, type SetupData } from "../../report/sheet/setup-data.ts";
 import { isMadeFrom, useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
 import { fileOfJob, printedText } from "../../app/document/printed.ts";
 import { useIsoFile } from "../../app/document/output.ts";
-import { laterTexts } from "../../app/base/settings/later-texts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { handedOn, useEditor } from "../../app/document/store.ts";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
-
-/** The texts of the sheet, in the screen language. */
-export const { useThem: useSheetTexts } = laterTexts(loadSheet);
 
 /** What the sheet is made of. */
 export interface SheetSource {

@@ -1,7 +1,7 @@
 import { Suspense } from "react";
 import { lazyPart } from "../../app/base/parts.ts";
 import { newProgramSlot } from "../../app/fields/slots.ts";
-import { fetchShownTexts } from "../../app/base/settings/shown-texts.ts";
+import { fetchShownTexts } from "../../app/base/settings/use-texts.ts";
 
 /** Fetched with its texts when it is first opened. */
 const NewProgram = lazyPart(async () => {

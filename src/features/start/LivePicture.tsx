@@ -3,7 +3,7 @@ import { clock } from "../../app/base/clock.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { reducedMotion } from "../../app/base/settings/appearance.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { durationOf, livePlace } from "./live-place.ts";
 import type { LiveRun } from "./pictures.ts";
 
@@ -32,7 +32,7 @@ function put(svg: SVGSVGElement, run: LiveRun, time: number): number {
 
 /** A real program on the lathe: the tool runs and the material goes. It can be held, and stands still where motion is not wanted. */
 export function LivePicture({ run }: { readonly run: LiveRun | undefined }) {
-  const { page: { start: { live: t }, effect } } = useFirstTexts();
+  const { page: { start: { live: t }, effect } } = useTexts("first");
   const language = useSettings((s) => s.language);
   const still = useSettings(reducedMotion);
   const [chosen, choose] = useState<boolean | null>(null);

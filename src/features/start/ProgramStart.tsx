@@ -5,7 +5,7 @@ import type * as FolderPart from "../../app/records/files/folder.ts";
 import { untilHere } from "../../app/base/parts.ts";
 import { openFiles, openFolder, openText, type Opening } from "../../app/fields/open/open-program.ts";
 import { Icon } from "../../app/base/Icon.tsx";
-import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { WhichButton } from "../../app/document/WhichButton.tsx";
 import { CreateProgram } from "./CreateProgram.tsx";
 import { PartPicture } from "../../app/fields/kept/PartPicture.tsx";
@@ -20,7 +20,7 @@ export async function openExample(id: string): Promise<void> {
 
 /** Ways to a whole program: a file, a paste, an empty one, an example. */
 export function ProgramStart({ pictures }: { readonly pictures: StartPictures | null }) {
-  const t = useFirstTexts().page;
+  const t = useTexts("first").page;
   const [opening, setOpening] = useState<Opening>("opened");
   const [creating, create] = useState(false);
   const [pasted, paste] = useState(false);

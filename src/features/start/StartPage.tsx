@@ -5,7 +5,7 @@ import { useRecent } from "../../app/fields/chooser/recent.ts";
 import { lazyPart } from "../../app/base/parts.ts";
 import { fetchAtRest } from "../../app/base/rest.ts";
 import { refreshWorks, useKeeping } from "../../app/records/keep.ts";
-import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { findMore } from "./find-more.ts";
 import { KeptWorks, openKept } from "../../app/fields/kept/KeptWorks.tsx";
 import { openExample, ProgramStart } from "./ProgramStart.tsx";
@@ -27,7 +27,7 @@ function typeIntoSearch(page: HTMLElement, event: KeyboardEvent): void {
 
 /** Saved works and examples that a search finds beside the cycles. */
 function useMore(): More {
-  const { start: t, examples } = useFirstTexts().page;
+  const { start: t, examples } = useTexts("first").page;
   const works = useKeeping((k) => k.works);
   return (sought) => {
     if (sought === null) return { count: 0, best: null, shown: null };
@@ -51,7 +51,7 @@ function useMore(): More {
 
 /** The first screen: earlier work, what the page is, and the ways to new work. */
 export function StartPage({ course }: { readonly course: ReactNode }) {
-  const t = useFirstTexts();
+  const t = useTexts("first");
   const going = useRef(false);
   const pictures = usePictures();
   const more = useMore();

@@ -1,10 +1,10 @@
-import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
 import { LivePicture } from "./LivePicture.tsx";
 import type { StartPictures } from "./pictures.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** What a control does not show and this page does, beside a program that runs. */
 export function Welcome({ pictures }: { readonly pictures: StartPictures | null }) {
-  const { start: t } = useFirstTexts().page;
+  const { start: t } = useTexts("first").page;
   return (
     <section className="welcome" aria-label={t.beyond}>
       <LivePicture run={pictures?.live} />

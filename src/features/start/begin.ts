@@ -1,3 +1,4 @@
+import { ncLanguageOf } from "../../i18n/languages.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { exampleJob, UNSET } from "../../program/job/job.ts";
 import { draftOf } from "../../app/document/edits.ts";
@@ -10,8 +11,8 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 export function beginCycle(number: number, withExample: boolean): void {
   const cycle = cycleByNumber(number);
   if (!cycle) return;
-  const { language: ncLanguage, output } = useSettings.getState();
-  const example = { ...exampleJob(cycle), ncLanguage, output };
+  const { language, output } = useSettings.getState();
+  const example = { ...exampleJob(cycle), ncLanguage: ncLanguageOf(language), output };
   const job = withExample ? example : { ...example, ...UNSET, drafts: {}, contour: [] };
   startWork(job);
   const [question = null] = Object.keys(cycle.params);

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { page } from "../../i18n/de/page.ts";
+import { page } from "../../i18n/de/first/page.ts";
 import type { Kept } from "../../app/records/device.ts";
 import { findMore } from "./find-more.ts";
 

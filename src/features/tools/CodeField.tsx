@@ -3,13 +3,13 @@ import { fillingOf, isWholeCode, nameOfCodes } from "../../program/iso-codes/cod
 import { readToolCodes } from "../../program/iso-codes/tool-code.ts";
 import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { Message } from "../../app/base/Message.tsx";
+import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { CodeFillings, CodeNotes, CodeParts } from "./CodeReading.tsx";
 import { setCells } from "./tool-edits.ts";
-import { useToolWords } from "./use-tool-words.ts";
 
 /** The code of an insert or a holder, read while it is typed; Enter fills the columns that it names, as one step. */
 export function CodeField({ entry }: { readonly entry: ToolEntry }) {
-  const w = useToolWords()?.codes;
+  const w = useTextsSoon("tool-codes");
   const id = useId();
   const input = useRef<HTMLInputElement>(null);
   const [typed, type] = useState("");

@@ -6,7 +6,7 @@ import type { HolderCell } from "../../program/tools/tool-columns.ts";
 import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { Message } from "../../app/base/Message.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 type Number = (n: number) => string;
 
@@ -85,7 +85,7 @@ export function CodeParts({ parts, words: w }: { readonly parts: readonly CodePa
 
 /** What a code fills, each cell with what stands in it now. */
 export function CodeFillings({ cells, words: w }: { readonly cells: readonly Filling[]; readonly words: ToolCodeTexts }) {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const language = useSettings((s) => s.language);
   const shown = (cell: string, text: string, outline: string) =>
     text.trim() === "" ? w.empty : cell === "head" ? outline : inScreenWriting(language, text);

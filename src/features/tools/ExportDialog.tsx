@@ -3,7 +3,7 @@ import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
 import { originsOf } from "../../program/tools/table-again.ts";
 import type { TableOrigin } from "../../program/tools/tool-entry.ts";
 import { Icon } from "../../app/base/Icon.tsx";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import type { ExportKind } from "./tool-files.ts";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { useModal } from "../../app/base/use-modal.ts";
@@ -12,7 +12,7 @@ import { useModal } from "../../app/base/use-modal.ts";
 export function ExportDialog({ words: w, again, write, done }: { readonly words: ToolFileTexts;
   readonly again: (origin: TableOrigin) => void; readonly write: (kind: ExportKind) => void; readonly done: () => void })
 {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const list = useTools((s) => s.list);
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog, ".export-ways button:not(:disabled)");

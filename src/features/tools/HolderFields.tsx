@@ -3,7 +3,7 @@ import type { Issue } from "../../kernel/plan/issue.ts";
 import { readAxis } from "../../program/tools/holder-cells.ts";
 import { HOLDER_NUMBERS } from "../../program/tools/tool-columns.ts";
 import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { setCell } from "./tool-edits.ts";
 import { closeStep } from "../../app/document/steps.ts";
 import { CellMessages, ToolField } from "./ToolField.tsx";
@@ -15,7 +15,7 @@ interface Props {
 
 /** Along which axis the shank lies; what a file brought that is no axis stays to be seen. */
 function AxisField({ entry, issues }: Props) {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const id = useId();
   const text = cellOf(entry, "axis");
   const axis = readAxis(text);
@@ -42,7 +42,7 @@ function AxisField({ entry, issues }: Props) {
 
 /** What joins shank and insert, by its corners. */
 function HeadField({ entry, issues }: Props) {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const id = useId();
   const text = cellOf(entry, "head");
   const found = issues.filter((issue) => issue.at === "head");

@@ -6,7 +6,7 @@ import { planImport, type ImportChange } from "../../program/tools/tool-import.t
 import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import type { Brought } from "./tool-files.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
 import { useTools } from "../../app/document/tool-store.ts";
@@ -18,7 +18,7 @@ const MOST = 200;
 const isHolderCell = (cell: string): cell is HolderCell => HOLDER_CELLS.some((each) => each === cell);
 
 function Changes({ changed, words: w }: { readonly changed: readonly ImportChange[]; readonly words: ToolFileTexts }) {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const nameOf = useToolName();
   const language = useSettings((s) => s.language);
   const shown = (cell: string, text: string, outline: string) =>
@@ -51,7 +51,7 @@ function Names({ tools, words: w }: { readonly tools: readonly ToolEntry[]; read
 export function ImportDialog({ brought, words: w, take, done }: { readonly brought: Brought; readonly words: ToolFileTexts;
   readonly take: (choice: "all" | "new") => void; readonly done: () => void })
 {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const list = useTools((s) => s.list);
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog, ".primary");

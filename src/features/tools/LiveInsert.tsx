@@ -7,7 +7,7 @@ import { boundsOf } from "../../view/bounds.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { heldBounds, InsertDrawing } from "../../app/pictures/lathe/InsertDrawing.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** Edges of the drawing, px. */
 const WIDTH = 176;
@@ -33,7 +33,7 @@ export function LiveInsert({ tool, now }: {
   /** False while the cells make no tool and an older one is drawn. */
   readonly now: boolean;
 }) {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const language = useSettings((s) => s.language);
   const measured = useMemo(() => {
     const insert = tool && boundsOf(insertOutline(tool, CHORD));

@@ -4,7 +4,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import { drillOf } from "../../program/blocks/tool-call.ts";
 import type { MillTool } from "../../program/tools/tool-entry.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { wholeAbove } from "./LiveInsert.tsx";
 
 /** Edges of the drawing, px. */
@@ -60,7 +60,7 @@ function Outline({ side, scale }: { readonly side: Side; readonly scale: number 
 
 /** A mill or a drill to scale from the side, with its axis, and a length to compare it to. */
 export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const language = useSettings((s) => s.language);
   if (!mill)
     return (

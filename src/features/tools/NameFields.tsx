@@ -3,7 +3,6 @@ import type { Issue } from "../../kernel/plan/issue.ts";
 import { TOOL_TYPES } from "../../kernel/plan/tool.ts";
 import { isMillType, isToolType, MILL_TYPES } from "../../program/tools/tool-columns.ts";
 import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { setCell } from "./tool-edits.ts";
 import { closeStep } from "../../app/document/steps.ts";
@@ -16,7 +15,7 @@ interface Props {
 
 /** NAME as the control takes it: capital letters. */
 function NameField({ entry, issues }: Props) {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const id = useId();
   const text = cellOf(entry, "NAME");
   const found = issues.filter((issue) => issue.at === "NAME");
@@ -36,7 +35,7 @@ function NameField({ entry, issues }: Props) {
 
 /** TYPE, which says what columns the tool has a use for. */
 function TypeField({ entry, issues }: Props) {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const { setup } = useTexts();
   const id = useId();
   const type = cellOf(entry, "TYPE");

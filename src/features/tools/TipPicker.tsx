@@ -2,7 +2,7 @@ import { useRef } from "react";
 import { Radio, RadioGroup, type RadioProps } from "react-aria-components/RadioGroup";
 import type { TipOrientation, Tool } from "../../kernel/plan/tool.ts";
 import { InsertDrawing } from "../../app/pictures/lathe/InsertDrawing.tsx";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** Edge length of one picture, px. */
 const DRAWING = 44;
@@ -38,7 +38,7 @@ export function TipPicker({ value, tool, onChoose }: {
   readonly tool: Tool | null;
   readonly onChoose: (to: TipOrientation) => void;
 }) {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const grid = useRef<HTMLDivElement>(null);
   const choose = (to: TipOrientation | undefined) => to && onChoose(to);
   const keys = (place: number): NonNullable<RadioProps["onKeyDown"]> => (event) => {

@@ -1,10 +1,11 @@
+import type { ToolsTexts } from "../../i18n/en/tables/tools.ts";
 import type { Issue } from "../../kernel/plan/issue.ts";
 import type { HolderNumber, NumberColumn } from "../../program/tools/tool-columns.ts";
 import { isDrillType, ruleOf } from "../../program/tools/tool-columns.ts";
 import { cellOf, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { FieldMessage } from "../../app/fields/number/FieldMessage.tsx";
 import { LabelledInput } from "../../app/fields/number/LabelledInput.tsx";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { setCell } from "./tool-edits.ts";
 import { closeStep } from "../../app/document/steps.ts";
 
@@ -32,7 +33,7 @@ export const CellMessages = ({ id, ...of }: MessagesProps & { readonly id: strin
 const UNITS = { length: "mm", angle: "degrees", number: null } as const;
 
 /** What a column means for tools of one type alone. */
-function ownMeaning(t: ReturnType<typeof useTableTexts>["tools"], cell: NumberColumn | HolderNumber, type: string): string | null {
+function ownMeaning(t: ToolsTexts, cell: NumberColumn | HolderNumber, type: string): string | null {
   if (cell === "T-ANGLE" && isDrillType(type)) return t.drillAngle;
   return cell === "CUTLENGTH" && type === "THREAD" ? t.toothHeight : null;
 }
@@ -45,7 +46,7 @@ export function ToolField({ entry, cell, issues, unused = null }: {
   /** The type that has no use for this column; null when it has. */
   readonly unused?: string | null;
 }) {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const text = cellOf(entry, cell), type = cellOf(entry, "TYPE");
   const put = (next: string) => setCell(entry.id, cell, next);
   const { kind, range: [min], decimals } = ruleOf(cell, type);

@@ -4,7 +4,7 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { applies, isDrillType, MILL_TABLE, type MillColumn, type NumberColumn } from "../../program/tools/tool-columns.ts";
 import { cellOf, isMillEntry, readEntry, type EntryReading, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { Icon } from "../../app/base/Icon.tsx";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { CodeField } from "./CodeField.tsx";
 import { LiveInsert, useLastTool } from "./LiveInsert.tsx";
 import { MillDrawing } from "./MillDrawing.tsx";
@@ -66,7 +66,7 @@ interface Row {
 
 /** The columns of a turning tool, its insert drawn as they are typed. */
 function TurningColumns({ entry, reading }: Row) {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const type = cellOf(entry, "TYPE");
   const { issues } = reading;
   const shape = useMemo(() => shapeOf(entry, reading), [entry, reading]);
@@ -107,7 +107,7 @@ function TurningColumns({ entry, reading }: Row) {
 
 /** The columns that a milling tool or a drill of its type has. */
 function MillColumns({ entry, reading: { issues, mill } }: Row) {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const type = cellOf(entry, "TYPE");
   return (
     <>
@@ -129,7 +129,7 @@ function MillColumns({ entry, reading: { issues, mill } }: Row) {
 export function ToolForm({ entry, reading, onDuplicate, onRemove }: Row & { readonly onDuplicate: () => void;
   readonly onRemove: () => void })
 {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const name = useToolName()(entry);
   return (
     <section className="tool-form" aria-label={t.form(name)} onKeyDownCapture={onEnter}>

@@ -7,7 +7,7 @@ import { anyNumber, readText } from "../../program/values/field.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { InsertDrawing } from "../../app/pictures/lathe/InsertDrawing.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { drillOf } from "../../program/blocks/tool-call.ts";
 import { openToolRow, type ToolKind } from "../../app/place/place.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
@@ -38,7 +38,7 @@ const ToolRow = memo(
   function ToolRow({ entry, reading, kind, open, drawn }: { readonly entry: ToolEntry; readonly reading: EntryReading;
     readonly kind: ToolKind; readonly open: boolean; readonly drawn: boolean })
   {
-    const t = useTableTexts().tools;
+    const t = useTexts("tables").tools;
     const name = useToolName()(entry);
     const shown = useShown();
     const type = cellOf(entry, "TYPE");
@@ -84,7 +84,7 @@ export function ToolGrid({ list, kind, read, open }: {
   readonly read: ToolListReading;
   readonly open: string | null;
 }) {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const box = useRef<HTMLDivElement>(null);
   const at = list.findIndex((entry) => entry.id === open);
 

@@ -1,8 +1,8 @@
 import { useEffect, useRef, useState } from "react";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTableTexts } from "../../app/base/settings/use-table-texts.ts";
 import { openToolRow, showOwn, showToolKind, type ToolKind, uncover, usePlace } from "../../app/place/place.ts";
+import { useTexts, useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { addTool, duplicateTool, removeTool, takeShipped } from "./tool-edits.ts";
 import { isMillEntry } from "../../program/tools/tool-entry.ts";
 import { bringFiles, exportAgain, exportTools, takeBrought, type Brought } from "./tool-files.ts";
@@ -12,20 +12,19 @@ import { TableStatus, type TableSaid } from "../../app/fields/table/TableStatus.
 import { ExportDialog } from "./ExportDialog.tsx";
 import { ImportDialog } from "./ImportDialog.tsx";
 import { TableTabs } from "../../app/fields/table/TableTabs.tsx";
-import { useToolWords } from "./use-tool-words.ts";
 import { ToolForm } from "./ToolForm.tsx";
 import { ToolGrid } from "./ToolGrid.tsx";
 import "../../app/fields/table/tools.css";
 
 /** The tool table of this device: the whole table, and the columns of one tool beside it. */
 export function ToolPage() {
-  const t = useTableTexts().tools;
+  const t = useTexts("tables").tools;
   const nameOf = useToolName();
   const list = useTools((s) => s.list);
   const { row: asked, kind: lastKind } = usePlace((p) => p.tools);
   const [said, setSaid] = useState<TableSaid | null>(null);
   const [asking, ask] = useState<Brought | "export" | null>(null);
-  const w = useToolWords();
+  const w = useTextsSoon("tool-files");
   const language = useSettings((s) => s.language);
   const page = useRef<HTMLElement>(null);
   const file = useRef<HTMLInputElement>(null);
@@ -96,11 +95,11 @@ export function ToolPage() {
         <div className="tool-buttons" role="group" aria-label={t.files}>
           {w && (
             <>
-              <button type="button" className="button" aria-label={w.files.importLong} onClick={() => file.current?.click()}>
+              <button type="button" className="button" aria-label={w.importLong} onClick={() => file.current?.click()}>
                 <Icon name="add" /> {t.import}
               </button>
-              <button type="button" className="button" aria-label={w.files.exportLong} onClick={() => ask("export")}>
-                <Icon name="download" /> {w.files.export}
+              <button type="button" className="button" aria-label={w.exportLong} onClick={() => ask("export")}>
+                <Icon name="download" /> {w.export}
               </button>
             </>
           )}
@@ -108,7 +107,7 @@ export function ToolPage() {
             onChange={(e) => {
               const chosen = [...(e.currentTarget.files ?? [])];
               e.currentTarget.value = "";
-              if (chosen.length > 0 && w) void bringFiles(chosen, t, w.files).then(receive);
+              if (chosen.length > 0 && w) void bringFiles(chosen, t, w).then(receive);
             }} />
         </div>
       </div>
@@ -117,18 +116,18 @@ export function ToolPage() {
         focusRow();
       }} />
       {w && asking === "export" && (
-        <ExportDialog words={w.files} done={() => ask(null)} again={(origin) => {
+        <ExportDialog words={w} done={() => ask(null)} again={(origin) => {
           ask(null);
-          setSaid(exportAgain(origin, t, w.files));
+          setSaid(exportAgain(origin, t, w));
         }} write={(way) => {
           ask(null);
-          setSaid(exportTools(way, language, t, w.files));
+          setSaid(exportTools(way, language, t, w));
         }} />
       )}
       {w && asking !== null && asking !== "export" && (
-        <ImportDialog brought={asking} words={w.files} done={() => ask(null)} take={(choice) => {
+        <ImportDialog brought={asking} words={w} done={() => ask(null)} take={(choice) => {
           ask(null);
-          setSaid(takeBrought(asking, choice, t, w.files));
+          setSaid(takeBrought(asking, choice, t, w));
         }} />
       )}
       <div className="tool-list">

@@ -1,4 +1,4 @@
-import type { ToolsTexts } from "../../i18n/en/tools.ts";
+import type { ToolsTexts } from "../../i18n/en/tables/tools.ts";
 import type { Language } from "../../i18n/languages.ts";
 import { decimalSign } from "../../i18n/number.ts";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";

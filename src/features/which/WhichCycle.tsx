@@ -1,11 +1,10 @@
 import { Suspense, useMemo, useRef, useState } from "react";
-import { loadWhich } from "../../i18n/load-which.ts";
 import { comparison as byWorker } from "../../app/calculation/beside.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { lazyPart } from "../../app/base/parts.ts";
 import { contourTableSlot } from "../../app/fields/slots.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTexts } from "../../app/base/settings/use-texts.ts";
+import { useTexts, useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { canBePreturned, readAsking, soughtAt, usualNumbers, type Sought } from "../../app/document/asking.ts";
 import type { WhichRegion } from "../../app/place/place.ts";
 import type { Comparer } from "../../app/calculation/comparison.ts";
@@ -14,11 +13,8 @@ import { ContourStretch } from "./ContourStretch.tsx";
 import { takeWay } from "./take.ts";
 import { useComparison } from "./use-comparison.ts";
 import { WayCards } from "./WayCards.tsx";
-import { laterTexts } from "../../app/base/settings/later-texts.ts";
 import { useModal } from "../../app/base/use-modal.ts";
 import "./which.css";
-
-const { useThemSoon: useWhichTexts } = laterTexts(loadWhich);
 
 const ContourTable = lazyPart(async () => ({ default: await contourTableSlot.fetch() }));
 
@@ -48,7 +44,7 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
   const language = useSettings((s) => s.language);
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog);
-  const words = useWhichTexts();
+  const words = useTextsSoon("which");
   const [place, pick] = useState(region);
   const [asking, ask] = useState(() => begun(region));
   const [isTyped, type] = useState(false);

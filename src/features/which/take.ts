@@ -1,6 +1,6 @@
 import type { Wanted } from "../../cycles/wanted.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
-import type { Language } from "../../i18n/languages.ts";
+import { ncLanguageOf, type Language } from "../../i18n/languages.ts";
 import { ncLabels } from "../../i18n/nc-labels.ts";
 import { parse } from "../../nc/parse.ts";
 import { print } from "../../nc/program.ts";
@@ -21,8 +21,8 @@ export async function takeWay(
   { language, adds }: { readonly language: Language; readonly adds: boolean },
 ): Promise<void> {
   const { job: open, program } = useEditor.getState();
-  const made = { ...job, ncLanguage: language, output: outputInUse() };
-  const labels = ncLabels(language);
+  const ncLanguage = ncLanguageOf(language), labels = ncLabels(ncLanguage);
+  const made = { ...job, ncLanguage, output: outputInUse() };
   if (adds && program) {
     const [{ editProgram, sessionText }, { showFile }] = await Promise.all([
       import("../../app/fields/blocks/session.ts"),

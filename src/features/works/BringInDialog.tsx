@@ -4,11 +4,10 @@ import { goToEntrance } from "../../app/document/go-home.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { Message } from "../../app/base/Message.tsx";
 import type { ReadArchive } from "../../app/records/archive.ts";
-import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { endBringing, type Bringing } from "../../app/records/bring-in-place.ts";
 import { BOXES, TABLES } from "../../app/records/parts.ts";
 import { boxOffer, FIRST_CHOICES, statesOf, tableOffer, takeArchive, type ArchivedState, type GroupChoice } from "./take-archive.ts";
-import { useDeviceTexts } from "../../app/base/use-device-texts.ts";
 import { useModal } from "../../app/base/use-modal.ts";
 import "./works.css";
 
@@ -49,8 +48,8 @@ const BOX_NAMES = Object.keys(BOXES) as readonly (keyof typeof BOXES)[];
 function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readonly t: DeviceTexts["bringIn"];
   readonly onDone: (sentences: readonly string[]) => void })
 {
-  const { page, menu } = useFirstTexts();
-  const { works: list } = useDeviceTexts();
+  const { page, menu } = useTexts("first");
+  const { works: list } = useTexts("device");
   const [states, setStates] = useState<readonly ArchivedState[] | null>(null);
   const [without, leave] = useState<ReadonlySet<number>>(new Set());
   const [choices, choose] = useState(FIRST_CHOICES);
@@ -142,8 +141,8 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
 export function BringInDialog({ of: { name, archive, problem } }: { readonly of: Bringing }) {
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog);
-  const { bringIn: t } = useDeviceTexts();
-  const { page } = useFirstTexts();
+  const { bringIn: t } = useTexts("device");
+  const { page } = useTexts("first");
   const [done, end] = useState<readonly string[] | null>(null);
   return (
     <dialog ref={dialog} className="bring-in" aria-label={t.title(name)} onKeyDown={(event) => event.stopPropagation()}

@@ -4,14 +4,13 @@ import { Icon } from "../../app/base/Icon.tsx";
 import type { WorkElsewhere } from "../../app/place/place.ts";
 import { copyWork, takeOver, useKeeping } from "../../app/records/keep.ts";
 import { freeName } from "../../app/records/works.ts";
-import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
-import { useDeviceTexts } from "../../app/base/use-device-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import "./works.css";
 
 /** In place of a work that another tab has: why it is not open here, and the ways to go on. */
 export function ElsewherePage({ of: { work, name, cause } }: { readonly of: WorkElsewhere }) {
-  const { elsewhere: t, works: list } = useDeviceTexts();
-  const { page } = useFirstTexts();
+  const { elsewhere: t, works: list } = useTexts("device");
+  const { page } = useTexts("first");
   const [taking, take] = useState(false);
   const over = async () => {
     take(true);

@@ -1,11 +1,11 @@
 import { Icon } from "../../app/base/Icon.tsx";
 import { unkeptNames } from "../../app/records/keep.ts";
 import { saveEverything } from "./export-works.ts";
-import { useDeviceTexts } from "../../app/base/use-device-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** The button that hands everything on this device to the downloads; `say` is told what became of it. */
 export function SaveEverything({ say }: { readonly say: (what: string) => void }) {
-  const t = useDeviceTexts().here;
+  const t = useTexts("device").here;
   const save = async () => {
     try {
       const { works, files } = await saveEverything(unkeptNames());

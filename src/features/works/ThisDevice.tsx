@@ -7,12 +7,12 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { bringIn } from "../../app/records/bring-in-place.ts";
 import { SaveEverything } from "./SaveEverything.tsx";
 import { sizeWords } from "./size-words.ts";
-import { useDeviceTexts } from "../../app/base/use-device-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import "./works.css";
 
 /** What lies on this device: whether it stays, how much it is, all of it as a file and back, and the reports of faults. */
 export function ThisDevice({ onBringIn }: { readonly onBringIn: () => void }) {
-  const { here: t, reports } = useDeviceTexts();
+  const { here: t, reports } = useTexts("device");
   const language = useSettings((s) => s.language);
   const count = useReports((r) => r.list.length);
   const [state, setState] = useState<StorageState | null>(null);

@@ -6,11 +6,10 @@ import { keptPictures } from "../../app/records/kept-picture.ts";
 import { refreshWorks, useKeeping } from "../../app/records/keep.ts";
 import { useWorksElsewhere } from "../../app/records/use-works-elsewhere.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useFirstTexts } from "../../app/base/settings/use-first-texts.ts";
+import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { TableStatus } from "../../app/fields/table/TableStatus.tsx";
 import { listWorks, WORK_ORDERS, type WorkOrder } from "./list-works.ts";
 import { sizeWords } from "./size-words.ts";
-import { useDeviceTexts } from "../../app/base/use-device-texts.ts";
 import { useListActions } from "./use-list-actions.ts";
 import { WorkRow } from "./WorkRow.tsx";
 import "./works.css";
@@ -51,8 +50,8 @@ function onListKey(event: KeyboardEvent, wish: (work: string, what: "rename" | "
 
 /** All works of this device: sought, put in order, called otherwise, doubled, taken away, saved as a file. */
 export function WorksPage() {
-  const { works: t } = useDeviceTexts();
-  const { page, menu } = useFirstTexts();
+  const { works: t } = useTexts("device");
+  const { page, menu } = useTexts("first");
   const language = useSettings((s) => s.language);
   const all = useKeeping((k) => k.works);
   const elsewhere = useWorksElsewhere();

@@ -1,5 +1,5 @@
-import { chooser } from "./chooser.ts";
-import { page } from "./page.ts";
+import type { FirstTexts } from "../index.ts";
+import { chooser } from "./first/chooser.ts";
+import { page } from "./first/page.ts";
 
-/** What the first screen says, beside the names of the cycles. */
-export const first = { page, chooser };
+export const first: FirstTexts = { page, chooser };

@@ -1,6 +1,15 @@
 import type { GlossaryTexts } from "../glossary-text.ts";
 
+const UMLAUTS: Readonly<Record<string, string>> = { a: "ä", au: "äu", o: "ö", u: "ü" };
+
+/** A noun with its endings, and its plural where that changes within: Satz, Sätze; Span, Späne; Zyklus, Zyklen. */
+function formsOf(name: string): string {
+  const umlauted = name.replace(/(au|[aou])(?=[^aeiouäöü]+$)/u, (vowel) => UMLAUTS[vowel] ?? vowel);
+  return `(?:${name}(?:e[nsr]?|n|s|ern)?|${umlauted}en?|${name.replace(/us$/u, "en")})`;
+}
+
 export const glossary: GlossaryTexts = {
+  words: { formsOf, capitals: true, apart: true },
   blank: { name: "Rohteil", text: "Das Material vor dem ersten Schnitt. BLK FORM nennt es; hier ein Zylinder, ein Rohr oder ein Umriss." },
   stock: { name: "Rohmaterial", text: "Das Material in einem Augenblick: was die Schnitte bisher vom Rohteil übrig gelassen haben." },
   finishedPart: { name: "Fertigteil", text: "Was stehen bleiben muss. Kein Schnitt darf es berühren." },
@@ -31,6 +40,7 @@ export const glossary: GlossaryTexts = {
   workpieceZero: {
     name: "Werkstück-Nullpunkt",
     text: "Wo X0 und Z0 liegen. X0 ist die Spindelachse; Z0 liegt meist auf der fertigen Planfläche, das Teil auf der Minusseite.",
+    also: "Nullpunkt",
   },
   diameter: { name: "Durchmesser (⌀)", text: "X wird als Durchmesser geschrieben. 2 mm in X bewegen das Werkzeug um 1 mm." },
   radius: { name: "Auf den Radius (r)", text: "Tiefen quer zur Achse zählen nur auf einer Seite: 3 mm sind 6 mm im Durchmesser." },
@@ -38,6 +48,7 @@ export const glossary: GlossaryTexts = {
     name: "Theoretische Schneidenspitze",
     text: "Die Ecke, die die Platte ohne Schneidenradius hätte. Die Steuerung zeigt und programmiert die Lage "
       + "dieses Punkts, obwohl dort kein Stahl ist.",
+    also: "Schneidenspitze",
   },
   cuttingPoint: {
     name: "Schneidpunkt",
@@ -57,7 +68,11 @@ export const glossary: GlossaryTexts = {
     text: "Die Steuerung führt die Platte so, dass ihr Bogen die Kontur berührt und nicht die theoretische Schneidenspitze. "
       + "Ohne sie werden Kegel und Bögen falsch.",
   },
-  insert: { name: "Schneidplatte", text: "Die Wendeplatte, die schneidet, mit Form, Winkeln und Schneidenradius." },
+  insert: {
+    name: "Schneidplatte",
+    text: "Die Wendeplatte, die schneidet, mit Form, Winkeln und Schneidenradius.",
+    also: "Platte",
+  },
   mainEdge: {
     name: "Hauptschneide",
     text: "Die Schneide neben der Rundung, die das meiste schneidet. Einer Wand, die stärker geneigt ist, kann sie nicht folgen.",

@@ -1,6 +1,7 @@
 import type { GlossaryTexts } from "../glossary-text.ts";
 
 export const glossary: GlossaryTexts = {
+  words: { formsOf: (name) => `${name}(?:e?s)?`, capitals: false, apart: true },
   blank: { name: "Blank", text: "The material before the first cut. BLK FORM says it; here it is a cylinder, a tube or an outline." },
   stock: { name: "Stock", text: "The material at a moment: what the cuts so far have left of the blank." },
   finishedPart: { name: "Finished part", text: "What has to remain. No cut may touch it." },

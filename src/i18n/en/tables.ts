@@ -1,4 +1,5 @@
-import { own } from "./own.ts";
-import { tools } from "./tools.ts";
+import type { TableTexts } from "../index.ts";
+import { own } from "./tables/own.ts";
+import { tools } from "./tables/tools.ts";
 
-export const enTables = { tools, own };
+export const tables: TableTexts = { tools, own };

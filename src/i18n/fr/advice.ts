@@ -1,5 +1,5 @@
 import type { AdviceTexts } from "../en/advice.ts";
-import { typeset } from "./typeset.ts";
+import { typeset } from "./typography/typeset.ts";
 
 export const advice: AdviceTexts = typeset({
   title: "Conseils",

@@ -1,5 +1,5 @@
 import type { ExportTexts } from "../en/export.ts";
-import { typeset } from "./typeset.ts";
+import { typeset } from "./typography/typeset.ts";
 
 export const exported: ExportTexts = typeset({
   title: "Exporter la pièce",

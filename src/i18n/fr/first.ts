@@ -1,6 +1,6 @@
-import { chooser } from "./chooser.ts";
-import { page } from "./page.ts";
-import { typeset } from "./typeset.ts";
+import type { FirstTexts } from "../index.ts";
+import { chooser } from "./first/chooser.ts";
+import { page } from "./first/page.ts";
+import { typeset } from "./typography/typeset.ts";
 
-/** What the first screen says, beside the names of the cycles. */
-export const first = typeset({ page, chooser });
+export const first: FirstTexts = typeset({ page, chooser });

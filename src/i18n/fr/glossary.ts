@@ -1,8 +1,13 @@
 import type { GlossaryTexts } from "../glossary-text.ts";
-import { typeset } from "./typeset.ts";
+import { typeset } from "./typography/typeset.ts";
 
 export const glossary: GlossaryTexts = typeset({
-  blank: { name: "Pièce brute", text: "La matière avant la première passe. BLK FORM la décrit ; ici un cylindre, un tube ou un profil." },
+  words: { formsOf: (name) => name.split(" ").map((word) => `${word}(?:e?s|x)?`).join(" "), capitals: false, apart: true },
+  blank: {
+    name: "Pièce brute",
+    text: "La matière avant la première passe. BLK FORM la décrit ; ici un cylindre, un tube ou un profil.",
+    also: "brut",
+  },
   stock: { name: "Matière en place", text: "La matière à un moment donné : ce que les passes ont laissé du brut jusqu’ici." },
   finishedPart: { name: "Pièce finie", text: "Ce qui doit rester. Aucune passe ne doit y toucher." },
   residue: {
@@ -27,8 +32,14 @@ export const glossary: GlossaryTexts = typeset({
   thread: {
     name: "Filetage",
     text: "Une rainure en hélice. L’avance est liée à la rotation de la broche, pour que chaque passe retombe dans la même rainure.",
+    also: "filet",
   },
-  pitch: { name: "Pas", text: "D’une rainure à la suivante. Avec plusieurs filets, le chemin par tour vaut autant de pas." },
+  pitch: {
+    name: "Pas",
+    text: "D’une rainure à la suivante. Avec plusieurs filets, le chemin par tour vaut autant de pas.",
+    // Mostly half of "not".
+    where: "(?<=(?:le|du|un|au|Le|Du|Un|Au) )",
+  },
   runIn: { name: "Course d’approche du filet", text: "Chemin devant le filet où l’axe atteint sa vitesse." },
   oversize: { name: "Surépaisseur", text: "Ce que l’ébauche laisse à la finition : Q483 au diamètre, Q484 selon Z." },
   workpieceZero: {
@@ -73,7 +84,12 @@ export const glossary: GlossaryTexts = typeset({
       "Ce qui de l’arête peut couper. Une passe plus profonde travaille avec le porte-outil. D’un outil à fileter : la hauteur de la dent.",
   },
   holder: { name: "Porte-outil", text: "Ce qui porte la plaquette. Il ne doit toucher ni la pièce ni le mandrin." },
-  pass: { name: "Passe", text: "Une coupe d’ébauche à une profondeur, de la prise de passe au retrait." },
+  pass: {
+    name: "Passe",
+    text: "Une coupe d’ébauche à une profondeur, de la prise de passe au retrait.",
+    // A verb as well.
+    where: "(?:(?=passes)|(?<=^|(?:la|une|aucune|chaque|cette|de|par|sans|longue|seule|même|[ei]ère|ième) ))",
+  },
   infeed: {
     name: "Valeur de passe",
     text: "De combien une passe est plus profonde que la précédente. Q463 est le maximum ; la profondeur est divisée également.",
@@ -116,6 +132,8 @@ export const glossary: GlossaryTexts = typeset({
   plunging: {
     name: "Plongée",
     text: "Couper dans la matière le long d’un flanc descendant ou tout droit. Q487 l’autorise, Q488 lui donne sa propre avance.",
+    // What "est plongée" is no plunging.
+    where: "(?<!(?:est|sont|être) )",
   },
   limit: { name: "Limite d’usinage", text: "Un diamètre (Q480) ou une position en Z (Q482) au-delà de laquelle le cycle ne coupe pas." },
   program: { name: "Programme", text: "Ce que la commande exécute : des séquences, l’une après l’autre." },

@@ -1,7 +1,7 @@
 import type { GuideBlocksTexts } from "../en/guide-blocks.ts";
 import { blockKinds } from "./guide-blocks/kinds.ts";
 import { blockWords } from "./guide-blocks/words.ts";
-import { typeset } from "./typeset.ts";
+import { typeset } from "./typography/typeset.ts";
 
 export const guideBlocks: GuideBlocksTexts = typeset({
   title: "Séquences d’un programme",

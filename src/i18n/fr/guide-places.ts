@@ -1,5 +1,5 @@
 import type { GuidePlacesTexts } from "../en/guide-places.ts";
-import { typeset } from "./typeset.ts";
+import { typeset } from "./typography/typeset.ts";
 
 export const guidePlaces: GuidePlacesTexts = typeset({
   other: "Autres questions",

@@ -1,5 +1,5 @@
 import type { GuideTexts } from "../en/guide.ts";
-import { typeset } from "./typeset.ts";
+import { typeset } from "./typography/typeset.ts";
 
 export const guide: GuideTexts = typeset({
   more: "Plus",

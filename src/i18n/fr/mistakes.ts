@@ -1,5 +1,5 @@
 import type { MistakesTexts } from "../mistakes-text.ts";
-import { typeset } from "./typeset.ts";
+import { typeset } from "./typography/typeset.ts";
 
 export const mistakes: MistakesTexts = typeset({
   kinds: {

@@ -1,5 +1,5 @@
 import type { OfflineTexts } from "../en/offline.ts";
-import { typeset } from "./typeset.ts";
+import { typeset } from "./typography/typeset.ts";
 
 export const offline: OfflineTexts = typeset({
   ready: "Une version plus récente de Turnwise est prête.",

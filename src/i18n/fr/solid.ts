@@ -1,5 +1,5 @@
 import type { SolidTexts } from "../en/solid.ts";
-import { typeset } from "./typeset.ts";
+import { typeset } from "./typography/typeset.ts";
 
 export const solid: SolidTexts = typeset({
   title: "Vue 3D",

@@ -1,5 +1,6 @@
-import { own } from "./own.ts";
-import { tools } from "./tools.ts";
-import { typeset } from "./typeset.ts";
+import type { TableTexts } from "../index.ts";
+import { own } from "./tables/own.ts";
+import { tools } from "./tables/tools.ts";
+import { typeset } from "./typography/typeset.ts";
 
-export const frTables = typeset({ tools, own });
+export const tables: TableTexts = typeset({ tools, own });

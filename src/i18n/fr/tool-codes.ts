@@ -1,5 +1,5 @@
 import type { ToolCodeTexts } from "../tool-code-text.ts";
-import { typeset } from "./typeset.ts";
+import { typeset } from "./typography/typeset.ts";
 
 export const toolCodes = typeset<ToolCodeTexts>({
   label: "Code ISO de plaquette ou de porte-outil",

@@ -1,5 +1,5 @@
 import type { ToolFileTexts } from "../tool-file-text.ts";
-import { typeset } from "./typeset.ts";
+import { typeset } from "./typography/typeset.ts";
 
 export const toolFiles = typeset<ToolFileTexts>({
   title: (files) => `Ce que ${files} apporte`,

@@ -1,5 +1,5 @@
 import type { WhichTexts } from "../which-text.ts";
-import { typeset } from "./typeset.ts";
+import { typeset } from "./typography/typeset.ts";
 
 export const which = typeset<WhichTexts>({
   title: "Quel cycle ?",

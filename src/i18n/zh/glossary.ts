@@ -1,6 +1,7 @@
 import type { GlossaryTexts } from "../glossary-text.ts";
 
 export const glossary: GlossaryTexts = {
+  words: { formsOf: (name) => name, capitals: true, apart: false },
   blank: { name: "毛坯", text: "第一刀之前的材料。由 BLK FORM 说明；这里为圆柱、管或外形。" },
   stock: { name: "余料", text: "某一时刻的材料：到此为止各刀切削后毛坯所剩。" },
   finishedPart: { name: "成品", text: "必须保留的部分，任何一刀都不得碰到。" },

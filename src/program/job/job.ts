@@ -1,3 +1,4 @@
+import type { NcLanguage } from "../../i18n/languages.ts";
 import type { Cycle } from "../../cycles/define.ts";
 import type { Measurement } from "../../kernel/plan/measured.ts";
 import type { ClampingDraft } from "../clamping/words.ts";
@@ -113,7 +114,7 @@ export interface Job extends HandedOn {
   readonly contour: readonly ContourRow[];
   readonly layout: JobLayout;
   readonly output: NcOutput;
-  readonly ncLanguage: "en" | "de" | "fr" | "zh";
+  readonly ncLanguage: NcLanguage;
   /** What its setup sheet says to the setter. */
   readonly remarks?: string;
   /** What it is turned from, by its id in the cutting data; that of the device where it names none. */

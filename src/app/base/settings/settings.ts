@@ -4,7 +4,7 @@ import { isLanguage, LANGUAGES, type Language } from "../../../i18n/languages.ts
 import { isNcOutput, NC_OUTPUTS, type NcOutput } from "../../../program/machine/nc-output.ts";
 import type { Control } from "../../../program/tools/plane-types.ts";
 import { keptData } from "../kept.ts";
-import { fetchFirstTexts, fetchTexts, lacksTexts } from "./loaded-texts.ts";
+import { fetchAsked } from "./loaded-texts.ts";
 
 /** Longest cutting data, characters: more than the largest table that is taken has. */
 const LONGEST_CUTTING = 200_000;
@@ -109,8 +109,7 @@ export const useSettings = create<Settings>(() => KEPT.get() ?? firstSettings())
 
 /** Changes the screen language once its texts are here; where they cannot be fetched it stays as it is, and that is said. */
 export async function changeLanguage(language: Language): Promise<void> {
-  await fetchFirstTexts(language);
-  while (lacksTexts(language)) await fetchTexts(language);
+  await fetchAsked(language);
   changeSettings({ language });
 }
 

@@ -1,24 +1,37 @@
-import { use } from "react";
-import type { Texts } from "../../../i18n/index.ts";
-import type { Language } from "../../../i18n/languages.ts";
-import { untilHere } from "../parts.ts";
-import { atOnce } from "./later-texts.ts";
-import { fetchTexts, textsHere } from "./loaded-texts.ts";
+import { use, useEffect, useReducer } from "react";
+import type { PartName } from "../../../i18n/parts.ts";
+import { fetchTexts, partOf, type ByLanguage, type Said } from "./loaded-texts.ts";
 import { useSettings } from "./settings.ts";
 
-const coming = new Map<Language, Promise<Texts>>();
-
-/** One promise for a language, which does not fail: what does not come is fetched again. */
-function comingTexts(language: Language): Promise<Texts> {
-  const made = untilHere(() => fetchTexts(language));
-  atOnce(made);
-  coming.set(language, made);
-  return made;
-}
-
-/** All texts of the screen language, where there is more than the first screen; a component that uses this follows the language switch. */
-export function useTexts(): Texts {
+/** Something in the screen language, following the language switch. What uses it is not shown before it is here. */
+export function useByLanguage<T>(of: ByLanguage<T>): T {
   const language = useSettings((s) => s.language);
-  const asked = coming.get(language);
-  return asked ? use(asked) : textsHere(language) ?? use(comingTexts(language));
+  // A component that has waited is rendered once more and must ask the same promise: React fails over its further hooks otherwise.
+  const waited = of.waited(language);
+  return waited ? use(waited) : of.here(language) ?? use(of.wait(language));
 }
+
+/** A part of the texts in the screen language; without a name the one of the workplaces. What uses it is not shown before it is here. */
+export const useTexts = <N extends PartName = "workplace">(name = "workplace" as N): Said<N> => useByLanguage(partOf(name));
+
+/** The same, null until it is here: where something is shown without it. */
+export function useTextsSoon<N extends PartName>(name: N): Said<N> | null {
+  const language = useSettings((s) => s.language);
+  const [, showAgain] = useReducer((n: number) => n + 1, 0);
+  const part = partOf(name), texts = part.here(language);
+  const isHere = texts !== undefined;
+  useEffect(() => {
+    if (isHere) return undefined;
+    let isGone = false;
+    void part.wait(language).then(() => {
+      if (!isGone) showAgain();
+    });
+    return () => {
+      isGone = true;
+    };
+  }, [part, language, isHere]);
+  return texts ?? null;
+}
+
+/** Fetches the texts of the workplaces in the screen language. */
+export const fetchShownTexts = async (): Promise<void> => void (await fetchTexts(useSettings.getState().language));

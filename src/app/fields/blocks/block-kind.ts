@@ -1,4 +1,4 @@
-import type { EditorTexts } from "../../../i18n/en/editor.ts";
+import type { EditorTexts } from "../../../i18n/en/workplace/editor.ts";
 import type { Statement } from "../../../nc/statement.ts";
 
 /** Key of the words that name a kind of block. */

@@ -4,7 +4,7 @@ import { hoverTooltip } from "@codemirror/view";
 import { cycleByNumber, type ParamTextId } from "../../../cycles/index.ts";
 import type { Param } from "../../../cycles/params.ts";
 import type { Texts } from "../../../i18n/index.ts";
-import type { Language } from "../../../i18n/languages.ts";
+import { ncLanguageOf, type Language } from "../../../i18n/languages.ts";
 import { ncLabels } from "../../../i18n/nc-labels.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import { blockAt } from "../../../nc/reread.ts";
@@ -85,7 +85,7 @@ function ownParameter(t: Texts, language: Language, { q, prompt, range, bounded,
 
 /** The parameters of a cycle in their order, whoever describes it. */
 function parametersOf(t: Texts, language: Language, number: number): readonly Known[] {
-  const labels = ncLabels(language);
+  const labels = ncLabels(ncLanguageOf(language));
   const known = cycleByNumber(number);
   if (!known) return ownCycle(number)?.parameters.map((p) => ownParameter(t, language, p)) ?? [];
   return Object.entries<Param>(known.params).map(([q, param]) => {

@@ -1,4 +1,4 @@
-import type { EditorTexts } from "../../../i18n/en/editor.ts";
+import type { EditorTexts } from "../../../i18n/en/workplace/editor.ts";
 import type { Label, Parameter, Statement, Value } from "../../../nc/statement.ts";
 import { blockValue } from "../../../program/values/typed-value.ts";
 

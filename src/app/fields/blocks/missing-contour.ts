@@ -1,6 +1,6 @@
 import { cycleByNumber } from "../../../cycles/index.ts";
 import { ncLabels } from "../../../i18n/nc-labels.ts";
-import type { Language } from "../../../i18n/languages.ts";
+import { ncLanguageOf, type Language } from "../../../i18n/languages.ts";
 import type { Program } from "../../../nc/program.ts";
 import { withBlocks } from "../../../nc/replace.ts";
 import type { Label, Statement } from "../../../nc/statement.ts";
@@ -32,7 +32,7 @@ export function withContour(program: Program, number: number, label: Label): Pro
 
 /** Cycle 14 that names a label, in front of the block at `index`. */
 export function withContourNamed(program: Program, index: number, label: number, language: Language): Program {
-  const { title, label: word } = ncLabels(language).contour;
+  const { title, label: word } = ncLabels(ncLanguageOf(language)).contour;
   const named: readonly Statement[] = [{ kind: "cycleLine", cycle: 14, line: 0, text: title }, {
     kind: "cycleLine",
     cycle: 14,

@@ -13,7 +13,7 @@ import { outputIn } from "../../../program/edits/output-in.ts";
 import { STOPS_SPINDLE } from "../../../program/blocks/spindle-start.ts";
 import { noWords, POSITION_DECIMALS, positionAsTyped } from "../../../program/values/typed-value.ts";
 import { ncLabels } from "../../../i18n/nc-labels.ts";
-import type { Language } from "../../../i18n/languages.ts";
+import { ncLanguageOf, type Language } from "../../../i18n/languages.ts";
 import type { FindingEntry } from "../../findings/entry.ts";
 import { inProgram } from "./block-prompts.ts";
 import { withContour, withContourNamed } from "./missing-contour.ts";
@@ -88,7 +88,7 @@ function insertion(program: Program, at: number, statements: readonly Statement[
 function contourLines(program: Program, language: Language): readonly Statement[] {
   const label = program.blocks.find(({ statement: s }) => s.kind === "label" && s.label !== 0)?.statement;
   if (label?.kind !== "label") return [];
-  const { title, label: word } = ncLabels(language).contour;
+  const { title, label: word } = ncLabels(ncLanguageOf(language)).contour;
   const named = typeof label.label === "number" ? String(label.label) : ` "${label.label}"`;
   return [{ kind: "cycleLine", cycle: 14, line: 0, text: title }, { kind: "cycleLine", cycle: 14, line: 1, text: `${word}${named}` }];
 }

@@ -1,6 +1,6 @@
 import { useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
 import { Message } from "../../base/Message.tsx";
-import { useFirstTexts } from "../../base/settings/use-first-texts.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 import { useFingers, useMedia } from "../../base/use-media.ts";
 import { CycleGroup } from "./CycleGroup.tsx";
 import { CycleRow, type CycleWay } from "./CycleRow.tsx";
@@ -37,7 +37,7 @@ interface Props {
 export function CycleChooser({ ways: given, narrow = false, inProgram = false, focus = false, more, search: searchName, found: foundWords }:
   Props)
 {
-  const { chooser: t, page: { start }, menu: names } = useFirstTexts();
+  const { chooser: t, page: { start }, menu: names } = useTexts("first");
   const phone = useMedia("slim");
   const fingers = useFingers();
   const [typed, type] = useState("");

@@ -1,7 +1,7 @@
 import { useId, useState } from "react";
 import type { Group } from "../../../cycles/define.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { useFirstTexts } from "../../base/settings/use-first-texts.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 import { CycleRow, type CycleWay } from "./CycleRow.tsx";
 import type { MenuCycle } from "./menu.ts";
 
@@ -16,7 +16,7 @@ interface Props {
 
 /** The cycles of one group under its name, which folds them away. */
 export function CycleGroup({ group, cycles, ways, turn, startsOpen }: Props) {
-  const { chooser: t, menu } = useFirstTexts();
+  const { chooser: t, menu } = useTexts("first");
   const [chosen, choose] = useState<boolean | null>(null);
   const open = chosen ?? startsOpen;
   const id = useId();

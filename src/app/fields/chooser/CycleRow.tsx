@@ -1,5 +1,5 @@
 import { useId } from "react";
-import { useFirstTexts } from "../../base/settings/use-first-texts.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 import { Drawing } from "./Drawing.tsx";
 import type { MenuCycle } from "./menu.ts";
 
@@ -25,7 +25,7 @@ interface Props {
 
 /** One cycle of the chooser: its drawing, number, name and sentence. */
 export function CycleRow({ cycle, ways, first, grouped, inTurn }: Props) {
-  const { page: { start }, chooser: t, menu } = useFirstTexts();
+  const { page: { start }, chooser: t, menu } = useTexts("first");
   const id = useId();
   const words = menu.of[cycle.number];
   const name = start.cycle(cycle.number, words?.name ?? "");

@@ -1,5 +1,5 @@
 import { useId } from "react";
-import { useFirstTexts } from "../../base/settings/use-first-texts.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 import { Drawing } from "./Drawing.tsx";
 import type { CycleWay } from "./CycleRow.tsx";
 import type { MenuCycle } from "./menu.ts";
@@ -7,7 +7,7 @@ import { useRecent } from "./recent.ts";
 
 /** The cycles that were chosen last, as one row. */
 export function RecentCycles({ offered, ways }: { readonly offered: readonly MenuCycle[]; readonly ways: readonly CycleWay[] }) {
-  const { chooser: t, page: { start }, menu } = useFirstTexts();
+  const { chooser: t, page: { start }, menu } = useTexts("first");
   const cycles = useRecent((r) => r.cycles).flatMap((number) => offered.find((cycle) => cycle.number === number) ?? []);
   const id = useId();
   const [main] = ways;

@@ -2,11 +2,11 @@ import { menuWordsOf } from "virtual:cycle-menu";
 import { useEffect, useState } from "react";
 import { LANGUAGES } from "../../../i18n/languages.ts";
 import type { MenuWords } from "../../../i18n/menu-words.ts";
-import { useFirstTexts } from "../../base/settings/use-first-texts.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** The words to search in: those of the screen, and those of the other languages once somebody searches. */
 export function useMenuWords(searching: boolean): readonly MenuWords[] {
-  const { menu } = useFirstTexts();
+  const { menu } = useTexts("first");
   const [others, take] = useState<readonly MenuWords[]>([]);
   useEffect(() => {
     if (!searching) return undefined;

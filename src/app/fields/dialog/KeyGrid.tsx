@@ -1,6 +1,6 @@
 import type { PointerEvent, ReactNode } from "react";
-import type { DialogTexts } from "../../../i18n/en/dialog.ts";
 import { erase, insert, toggleSign, type EntryState } from "../number/number-entry.ts";
+import type { DialogTexts } from "../../../i18n/en/workplace/dialog.ts";
 
 /** One key of a keypad. */
 export interface PadKey {

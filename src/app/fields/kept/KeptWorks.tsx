@@ -7,7 +7,7 @@ import { keptPictures } from "../../records/kept-picture.ts";
 import { openWork, useKeeping } from "../../records/keep.ts";
 import { useWorksElsewhere } from "../../records/use-works-elsewhere.ts";
 import { useSettings } from "../../base/settings/settings.ts";
-import { useFirstTexts } from "../../base/settings/use-first-texts.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 import { KeptPicture } from "./KeptPicture.tsx";
 
 /** Works that are listed here; all of them have a page of their own. */
@@ -27,7 +27,7 @@ async function removeKept(work: string): Promise<boolean> {
 
 /** Earlier programs on this device, newest first. */
 export function KeptWorks() {
-  const { page: { start: t, undo }, menu } = useFirstTexts();
+  const { page: { start: t, undo }, menu } = useTexts("first");
   const [removed, setRemoved] = useState<string | null>(null);
   const elsewhere = useWorksElsewhere();
   const language = useSettings((s) => s.language);

@@ -1,11 +1,11 @@
 import { useOutcome } from "../../calculation/outcome.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { timeContents } from "../../findings/effect/time-contents.ts";
-import { useMachineTextsSoon } from "../../base/use-machine-texts.ts";
+import { useTextsSoon } from "../../base/settings/use-texts.ts";
 
 /** Says in place of the rapid rate that the machine states its own. */
 export function MachineRapid() {
-  const t = useMachineTextsSoon();
+  const t = useTextsSoon("machine");
   const language = useSettings((s) => s.language);
   const run = useOutcome((s) => s.pictured?.run);
   if (!t || !run) return null;

@@ -11,7 +11,7 @@ import { changeSettings, useSettings } from "../../base/settings/settings.ts";
 import { LabelledInput } from "../number/LabelledInput.tsx";
 import { draftOfMachine, problemAt, readMachineDraft, MACHINE_FIELDS, type DraftPoint, type MachineDraft,
   type MachineField } from "./draft.ts";
-import { useMachineTextsSoon } from "../../base/use-machine-texts.ts";
+import { useTextsSoon } from "../../base/settings/use-texts.ts";
 import "./machine.css";
 
 /** The data without the name: what makes one of the examples. */
@@ -22,7 +22,7 @@ const exampleOf = (machine: MachineData | null) =>
 
 /** The machine of this device: a preset, its values, and all of it as a file, out and in. */
 export function MachineSection() {
-  const t = useMachineTextsSoon();
+  const t = useTextsSoon("machine");
   return t && <Section t={t} />;
 }
 

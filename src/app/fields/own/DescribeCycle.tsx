@@ -1,7 +1,7 @@
 import type { StatementOf } from "../../../nc/statement.ts";
 import { isKnownCycle } from "../../../program/edits/own-cycle.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { useTableTexts } from "../../base/settings/use-table-texts.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 import { describeBlock, isFull } from "../blocks/own-edits.ts";
 import { showOwn } from "../../place/place.ts";
 import { libraryOf } from "../../document/own-reading.ts";
@@ -9,7 +9,7 @@ import { useOwn } from "../../document/own-store.ts";
 
 /** The way from a block whose cycle nobody here knows to its description, which the text of the block proposes. */
 export function DescribeCycle({ statement }: { readonly statement: StatementOf<"cycle"> }) {
-  const t = useTableTexts().own;
+  const t = useTexts("tables").own;
   const list = useOwn((s) => s.list);
   if (isKnownCycle(statement.cycle)) return null;
   const begun = [...libraryOf(list).rows.values()].some(({ number }) => number === statement.cycle);

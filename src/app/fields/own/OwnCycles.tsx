@@ -4,7 +4,6 @@ import { Drawing } from "../chooser/Drawing.tsx";
 import { plain } from "../chooser/search.ts";
 import type { OwnCycle } from "../../../program/edits/own-cycle.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { useTableTexts } from "../../base/settings/use-table-texts.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { showOwn } from "../../place/place.ts";
 import { useOwnCycles } from "../../document/own-reading.ts";
@@ -21,7 +20,7 @@ interface Rows {
 }
 
 function OwnRows({ cycles, turn, way, onTake, first = false, id }: Rows) {
-  const { own: t } = useTableTexts();
+  const { own: t } = useTexts("tables");
   const { page: { start } } = useTexts();
   const about = useId();
   const inTurn = cycles.some(({ number }) => number === turn) ? turn : cycles[0]?.number;
@@ -53,7 +52,7 @@ function OwnRows({ cycles, turn, way, onTake, first = false, id }: Rows) {
 }
 
 function OwnGroup(rows: Rows) {
-  const { own: t } = useTableTexts();
+  const { own: t } = useTexts("tables");
   const { page, chooser } = useTexts();
   const [open, setOpen] = useState(false);
   const id = useId();

@@ -9,7 +9,6 @@ import { Icon } from "../../base/Icon.tsx";
 import { CycleInWork } from "../../calculation/issue-text.ts";
 import { mayTakeKeyboard, openPrompt, showOwn, usePlace } from "../../place/place.ts";
 import { useSettings } from "../../base/settings/settings.ts";
-import { useTableTexts } from "../../base/settings/use-table-texts.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import type { OwnBlock, OwnPrompt } from "../blocks/own-block.ts";
 import { libraryOf } from "../../document/own-reading.ts";
@@ -24,7 +23,7 @@ interface Props {
 /** The prompts of a block as the operator has described them. */
 function useOwnSession({ block, problems, set }: Props): PromptSession {
   const { dialog: t, editor } = useTexts();
-  const { own: words } = useTableTexts();
+  const { own: words } = useTexts("tables");
   const language = useSettings((s) => s.language);
   const opened = usePlace();
   const { parameters, draft, readings } = block;

@@ -7,14 +7,15 @@ import { editProgram, useSession } from "../blocks/session.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { HandingDialog } from "../../base/HandingDialog.tsx";
 import { ClampingFields } from "../setup/ClampingFields.tsx";
-import { useClampingTexts } from "../setup/clamping-texts.ts";
+import { useTextsSoon } from "../../base/settings/use-texts.ts";
+import "../setup/clamping.css";
 
 /** A blank that nothing is known of, mm. */
 const SOME_BLANK = { left: -80, right: 0, high: 30 };
 
 /** What the open program is held by: a comment behind its blank, which each change writes. */
 export function ClampingDialog({ done }: { readonly done: () => void }) {
-  const t = useClampingTexts();
+  const t = useTextsSoon("clamping");
   const [draft, keep] = useState(() => clampingIn(useSession.getState().reading.program)?.draft ?? null);
   const run = useOutcome((s) => s.shown?.run), inch = run?.program.unit === "inch";
   if (!t) return null;

@@ -1,10 +1,10 @@
 import { useLayoutEffect, useRef } from "react";
-import { useFirstTexts } from "../../base/settings/use-first-texts.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 import { closeCopying, useCopying } from "../../findings/copy.ts";
 
 /** Where the clipboard is refused: the text, selected, to be copied by hand. */
 export function CopyByHand() {
-  const t = useFirstTexts().page;
+  const t = useTexts("first").page;
   const text = useCopying((c) => c.text);
   const dialog = useRef<HTMLDialogElement>(null);
   const area = useRef<HTMLTextAreaElement>(null);

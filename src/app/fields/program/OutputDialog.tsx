@@ -1,21 +1,18 @@
 import { useId, useState } from "react";
 import type { OutputTexts } from "../../../i18n/en/output.ts";
-import { loadOutput } from "../../../i18n/load-output.ts";
 import { isFunctionNumber, NC_OUTPUT_NAMES, NC_OUTPUTS, nameOfOutput, type NcOutput } from "../../../program/machine/nc-output.ts";
 import { HandingDialog } from "../../base/HandingDialog.tsx";
 import { Message } from "../../base/Message.tsx";
 import { NumberInput } from "../number/NumberInput.tsx";
-import { laterTexts } from "../../base/settings/later-texts.ts";
+import { useTextsSoon } from "../../base/settings/use-texts.ts";
 import { changeSettings, useSettings } from "../../base/settings/settings.ts";
 import { useEditor } from "../../document/store.ts";
 import { setOutput, useOutput } from "../../document/output.ts";
 import "./output.css";
 
-const { useThemSoon: useOutputTexts } = laterTexts(loadOutput);
-
 /** How the open program is written for one machine; each choice holds at once, and undo takes it back. */
 export function OutputDialog({ done }: { readonly done: () => void }) {
-  const words = useOutputTexts();
+  const words = useTextsSoon("output");
   return words && <Opened words={words} done={done} />;
 }
 

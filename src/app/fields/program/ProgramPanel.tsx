@@ -1,4 +1,5 @@
-import { LANGUAGE_NAMES, LANGUAGES, isLanguage, ncLanguage } from "../../../i18n/languages.ts";
+import { NC_LANGUAGES, SCREEN_LANGUAGES } from "../../../i18n/languages.ts";
+import { hasOwnWords } from "../../../i18n/nc-labels.ts";
 import { JOB_LAYOUTS } from "../../../program/machine/nc-output.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { playback } from "../../calculation/playback.ts";
@@ -76,12 +77,14 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
         <label>
           <span>{t.language}</span>
           <select className="select" aria-label={t.languageLong} value={job.ncLanguage}
-            onChange={(e) => isLanguage(e.target.value) && setNcLanguage(e.target.value)}
+            onChange={(e) => setNcLanguage(NC_LANGUAGES.find((language) => language === e.target.value) ?? "en")}
           >
-            {LANGUAGES.map((language) => <option key={language} value={language} lang={language}>{LANGUAGE_NAMES[language]}</option>)}
+            {NC_LANGUAGES.map((language) => (
+              <option key={language} value={language} lang={language}>{SCREEN_LANGUAGES[language].name}</option>
+            ))}
           </select>
         </label>
-        {job.ncLanguage !== ncLanguage(job.ncLanguage) && <p className="small soft program-note">{t.noChinese}</p>}
+        {!hasOwnWords(job.ncLanguage) && <p className="small soft program-note">{t.noChinese}</p>}
       </div>
       {!read.reading.values && <Message tone="warning">{t.incomplete}</Message>}
       <Late>
@@ -93,9 +96,7 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
       <div className="program-foot">
         <div className="program-buttons">
           <CopyButton main />
-          <button type="button" className="button" aria-label={`${t.download(file)}: ${t.files[kind]}`} onClick={() =>
-            void download()}
-          >
+          <button type="button" className="button" aria-label={`${t.download(file)}: ${t.files[kind]}`} onClick={() => void download()}>
             <Icon name="download" /> <span className="file-name">{file}</span> <span className="small">{t.layouts[kind]}</span>
           </button>
         </div>

@@ -1,6 +1,5 @@
 import { useId, useMemo, useState } from "react";
 import type { SecondSideTexts } from "../../../i18n/en/second-side.ts";
-import { loadSecondSide } from "../../../i18n/load-second-side.ts";
 import { boxAround } from "../../../kernel/area/box.ts";
 import type { Ring } from "../../../kernel/geometry/point.ts";
 import { radius, toDiameter } from "../../../kernel/units.ts";
@@ -17,20 +16,18 @@ import { HandingDialog } from "../../base/HandingDialog.tsx";
 import { Message } from "../../base/Message.tsx";
 import { useLengths } from "../../calculation/lengths.ts";
 import { programName } from "../../document/printed.ts";
-import { laterTexts } from "../../base/settings/later-texts.ts";
+import { useTextsSoon } from "../../base/settings/use-texts.ts";
 import { useEditor } from "../../document/store.ts";
 import { broughtBy } from "../../document/work.ts";
 import { outputInUse } from "../../document/output.ts";
 import "./turn-round.css";
-
-const { useThemSoon: useSecondSideTexts } = laterTexts(loadSecondSide);
 
 /** What can be left on a face, mm: more is another part. */
 const MOST_ALLOWANCE = 100;
 
 /** Makes the program of the next clamping out of what the open one leaves; `text`: the open one. */
 export function TurnRound({ text, done }: { readonly text: string; readonly done: () => void }) {
-  const words = useSecondSideTexts();
+  const words = useTextsSoon("second-side");
   return words && <Opened words={words} text={text} done={done} />;
 }
 

@@ -1,10 +1,8 @@
 import { createContext, Fragment, useContext, useMemo, type ReactNode } from "react";
 import type { GlossaryTexts, TermId } from "../../../i18n/glossary-text.ts";
-import type { Language } from "../../../i18n/languages.ts";
-import { useSettings } from "../../base/settings/settings.ts";
 import { showGuide } from "../../place/place.ts";
 import { termParts, type TermPart } from "./term-parts.ts";
-import { useGlossarySoon } from "./use-glossary.ts";
+import { useTextsSoon } from "../../base/settings/use-texts.ts";
 import "./terms.css";
 
 interface Scope {
@@ -14,14 +12,8 @@ interface Scope {
 
 const PageTerms = createContext<Scope | null>(null);
 
-const scopeOf = (
-  texts: readonly string[],
-  glossary: GlossaryTexts,
-  language: Language,
-  before: readonly string[],
-  but: TermId | null,
-): Scope => {
-  const parts = termParts(texts, glossary, language, { before, but });
+const scopeOf = (texts: readonly string[], glossary: GlossaryTexts, before: readonly string[], but: TermId | null): Scope => {
+  const parts = termParts(texts, glossary, { before, but });
   return { glossary, of: new Map(texts.map((text, i) => [text, parts[i] ?? []])) };
 };
 
@@ -34,13 +26,12 @@ export function SaidOnPage({ texts, before, but = null, children }: {
   readonly but?: TermId | null;
   readonly children: ReactNode;
 }) {
-  const glossary = useGlossarySoon();
-  const language = useSettings((s) => s.language);
+  const glossary = useTextsSoon("glossary");
   const all = JSON.stringify([texts, before ?? []]);
   const scope = useMemo(() => {
     const [now, earlier] = JSON.parse(all) as readonly [string[], string[]];
-    return glossary && scopeOf(now, glossary, language, earlier, but);
-  }, [glossary, language, all, but]);
+    return glossary && scopeOf(now, glossary, earlier, but);
+  }, [glossary, all, but]);
   return <PageTerms value={scope}>{children}</PageTerms>;
 }
 

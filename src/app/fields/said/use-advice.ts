@@ -1,20 +1,15 @@
 import { useMemo } from "react";
 import { cycleByNumber } from "../../../cycles/index.ts";
 import type { SomeValues } from "../../../cycles/effect.ts";
-import { loadAdvice } from "../../../i18n/load-advice.ts";
 import type { Plan } from "../../../kernel/plan/plan.ts";
 import { radius, toDiameter } from "../../../kernel/units.ts";
 import type { Operation } from "../../../program/state/run-types.ts";
 import { advise, type Advice, type Advised } from "../../../report/advice/advise.ts";
 import { readCuttingTable, usualTable, type CutMaterial, type CuttingTable } from "../../../program/tools/cutting-table.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
-import { laterTexts } from "../../base/settings/later-texts.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useEditor } from "../../document/store.ts";
 import { useSpeaksOf } from "./open-call.ts";
-
-/** What advice says, in the screen language. */
-export const { useThem: useAdviceTexts, useThemSoon: useAdviceTextsSoon } = laterTexts(loadAdvice);
 
 /** The cutting data of this device: the shop's own, or those that ship. */
 export function useCuttingTable(): CuttingTable {

@@ -3,8 +3,9 @@ import { clampingField, isNeeded } from "../../../program/clamping/draft.ts";
 import { CENTRE_ANGLE, CLAMPING_KINDS, CLAMPING_WORDS, wordsOfKind, type ClampingDraft,
   type ClampingWord } from "../../../program/clamping/words.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { useClampingTexts } from "./clamping-texts.ts";
+import { useTextsSoon } from "../../base/settings/use-texts.ts";
 import { NumberField } from "./NumberField.tsx";
+import "./clamping.css";
 
 interface Props {
   /** As typed; null where nothing is stated. */
@@ -24,7 +25,7 @@ const DIAMETERS: ReadonlySet<ClampingWord> = new Set(["D", "SIZE", "QUILL", "LIM
 
 /** What the work is held by: nothing is stated, and that is said, or kind and values. */
 export function ClampingFields({ draft, set, propose, inch = false }: Props) {
-  const t = useClampingTexts();
+  const t = useTextsSoon("clamping");
   if (!t) return null;
   if (!draft)
     return (

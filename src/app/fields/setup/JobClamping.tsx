@@ -4,14 +4,14 @@ import { setClamping } from "../../document/edits.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { ClampingFields } from "./ClampingFields.tsx";
-import { useClampingTexts } from "./clamping-texts.ts";
+import { useTextsSoon } from "../../base/settings/use-texts.ts";
 
 /** A blank that nothing is known of, mm. */
 const SOME_BLANK = { left: -80, right: 0, high: 30 };
 
 /** What a job is held by. */
 export function JobClamping({ read: { job } }: { readonly read: JobReading }) {
-  const t = useClampingTexts();
+  const t = useTextsSoon("clamping");
   const blank = useOutcome((s) => s.shown?.run.blank);
   return t && (
     <fieldset className="setup-group">

@@ -1,4 +1,3 @@
-import { useTableTexts } from "../../base/settings/use-table-texts.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import type { ToolKind } from "../../place/place.ts";
 
@@ -6,7 +5,7 @@ import type { ToolKind } from "../../place/place.ts";
 export function TableTabs({ open, onTools, onOwn }: { readonly open: ToolKind | "own"; readonly onTools: (kind: ToolKind) => void;
   readonly onOwn: () => void })
 {
-  const { tools: t } = useTableTexts();
+  const { tools: t } = useTexts("tables");
   const { page } = useTexts();
   return (
     <div className="tool-kinds" role="group" aria-label={t.kinds.name}>

@@ -5,16 +5,15 @@ import type { Run } from "../../../program/state/run-types.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { HandingDialog } from "../../base/HandingDialog.tsx";
 import { Icon } from "../../base/Icon.tsx";
-import { useMachineTextsSoon } from "../../base/use-machine-texts.ts";
 import { useSettings } from "../../base/settings/settings.ts";
-import { useTexts } from "../../base/settings/use-texts.ts";
+import { useTexts, useTextsSoon } from "../../base/settings/use-texts.ts";
 import { durationText } from "./changes.ts";
 import { timeCauses, timeContents } from "./time-contents.ts";
 import "./time-parts.css";
 
 /** The way from a running time to what it is made of. */
 export function TimeParts() {
-  const t = useMachineTextsSoon();
+  const t = useTextsSoon("machine");
   const run = useOutcome((s) => s.pictured?.run);
   const [isOpen, open] = useState(false);
   if (!t || !run) return null;

@@ -1,5 +1,5 @@
 import type { MachineTexts } from "../../../i18n/en/machine.ts";
-import type { Language } from "../../../i18n/languages.ts";
+import { SCREEN_LANGUAGES, type Language } from "../../../i18n/languages.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import { timesOf } from "../../../program/run/run-times.ts";
 import type { Run, TimePart } from "../../../program/state/run-types.ts";
@@ -25,6 +25,6 @@ export function timeContents(
   return [
     machine === null ? t.noMachine : t.machine(machine),
     typeof rates === "number" ? t.rate(meters(rates)) : t.rates(meters(rates.x), meters(rates.z)),
-    ...(lacked.length > 0 ? [t.without(lacked.join(language === "zh" ? "、" : ", "))] : []),
+    ...(lacked.length > 0 ? [t.without(lacked.join(SCREEN_LANGUAGES[language].comma))] : []),
   ];
 }

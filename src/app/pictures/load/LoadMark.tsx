@@ -2,7 +2,8 @@ import type { Run } from "../../../program/state/run-types.ts";
 import { textWidth } from "../../../view/help/labels.ts";
 import { useSeeing, type Seeing } from "../lathe/seeing.ts";
 import { useLengths } from "../../calculation/lengths.ts";
-import { useGreatest, useLoadTexts, loadValue, type Told } from "./use-load.ts";
+import { useGreatest, loadValue, type Told } from "./use-load.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 
 export interface LoadMarkProps {
   readonly of: Told;
@@ -18,7 +19,7 @@ const [TEXT, GROUND] = [12, 3];
 
 /** The worst place, marked and with its value. */
 export function LoadMark({ of, run, seeing }: LoadMarkProps) {
-  const t = useLoadTexts(), lengths = useLengths();
+  const t = useTexts("load"), lengths = useLengths();
   const seen = useSeeing(seeing), { width } = seen.size();
   const { worst } = useGreatest(run, of) ?? {};
   const at = worst && seen.at(worst.place);

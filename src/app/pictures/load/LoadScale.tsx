@@ -2,7 +2,8 @@ import { classesOf, classTone } from "../../../view/load/scale.ts";
 import type { LoadDrawing } from "../../../view/load/lines.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { toneClass } from "./LoadLines.tsx";
-import { loadNumber, useLoadTexts, type Told } from "./use-load.ts";
+import { loadNumber, type Told } from "./use-load.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** Length of a sample of a line, pixels. */
 const LONG = 34;
@@ -17,7 +18,7 @@ function Sample({ tone, limited = false }: { readonly tone: number | null; reado
 
 /** The classes with their numbers, and what else lines mean that are there. */
 export function LoadScale({ of, drawing: { scale, lines } }: { readonly of: Told; readonly drawing: LoadDrawing }) {
-  const t = useLoadTexts(), lengths = useLengths(), unit = lengths.words(t.units[of]);
+  const t = useTexts("load"), lengths = useLengths(), unit = lengths.words(t.units[of]);
   const bounds = scale.bounds.map((bound) => loadNumber(lengths, of, bound)), last = classesOf(scale) - 1;
   // Each class is at least as wide as its number: those of an inch are long.
   const minWidth = `${Math.max(...bounds.map((bound) => bound.length)) + 1}ch`, end = `${bounds[last + 1]} ${unit}`;

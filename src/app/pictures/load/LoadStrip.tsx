@@ -17,9 +17,9 @@ import { LoadScale } from "./LoadScale.tsx";
 import { measureLoad, type MeasuredLoad } from "./load-store.ts";
 import type { Pointed } from "./pointed.ts";
 import { useLoadDrawing } from "./use-drawing.ts";
-import { loadPlaceText, rowText, stretchText, useGreatest, useLoadOf, useLoadTexts, useMeasuredRun, loadValue,
-  type Told } from "./use-load.ts";
+import { loadPlaceText, rowText, stretchText, useGreatest, useLoadOf, useMeasuredRun, loadValue, type Told } from "./use-load.ts";
 import "./load.css";
+import { useTexts } from "../../base/settings/use-texts.ts";
 
 export interface LoadStripProps {
   readonly of: Told;
@@ -76,7 +76,7 @@ function useMeasuring(run: Run, what: "surface" | "path"): void {
 
 /** The scale of what is told by colour, its value where the tool or the pointer is, and the worst place. */
 export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadStripProps) {
-  const t = useLoadTexts(), lengths = useLengths();
+  const t = useTexts("load"), lengths = useLengths();
   useMeasuring(run, of === "roughness" ? "surface" : "path");
   const load = useLoadOf(run), told = useMeasuredRun(run), isOld = told !== run;
   const drawing = useLoadDrawing(told, of), worst = useGreatest(told, of)?.worst ?? null;

@@ -4,7 +4,7 @@ import { placeText } from "../lathe/running.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { goToLoad } from "./go.ts";
-import { loadPlaceText, useGreatest, useLoadTexts, loadValue, type Told } from "./use-load.ts";
+import { loadPlaceText, useGreatest, loadValue, type Told } from "./use-load.ts";
 
 export interface LoadTableProps {
   readonly of: Told;
@@ -14,7 +14,7 @@ export interface LoadTableProps {
 
 /** The same in words: the greatest value of each operation, and where it is. */
 export function LoadTable({ of, run, playback }: LoadTableProps) {
-  const t = useLoadTexts(), { lathe } = useTexts(), lengths = useLengths();
+  const t = useTexts("load"), { lathe } = useTexts(), lengths = useLengths();
   const { each } = useGreatest(run, of) ?? { each: [] };
   return (
     <details className="lathe-moves" name="lathe-more">

@@ -1,5 +1,4 @@
 import { useMemo } from "react";
-import { loadLoad } from "../../../i18n/load-load.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import type { LoadTexts } from "../../../i18n/en/load.ts";
@@ -8,10 +7,7 @@ import type { PathLoad } from "../../../sim/load/along.ts";
 import type { RoughStretch } from "../../../sim/load/roughness.ts";
 import { greatestAlong, roughestOf, worstOf, type AlongPath, type LoadPlace } from "../../../view/load/values.ts";
 import { placeText } from "../lathe/running.ts";
-import { laterTexts } from "../../base/settings/later-texts.ts";
 import { useMeasuredLoad, type MeasuredLoad } from "./load-store.ts";
-
-export const { useThem: useLoadTexts } = laterTexts(loadLoad);
 
 /** A quantity that colours tell. */
 export type Told = AlongPath | "roughness";

@@ -15,12 +15,13 @@ import { usePageUnit } from "../../base/unit.ts";
 import { useMedia } from "../../base/use-media.ts";
 import { MeasuredLabels, type Moved } from "./MeasuredLabels.tsx";
 import { MeasurePanel } from "./MeasurePanel.tsx";
-import { measurementWords, useMeasureTexts } from "./measure-words.ts";
+import { measurementWords } from "./measure-words.ts";
 import { measureHand } from "./hand.ts";
 import type { Measuring, MeasureState } from "./measuring.ts";
 import { useReadings } from "./readings.ts";
 import type { MeasureSource } from "./source.ts";
 import "./measure.css";
+import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** Half the size of a mark, and how far beside it its name stands, pixels. */
 const MARK = 5, CROSS = 12, ASIDE = 10;
@@ -50,7 +51,7 @@ function Cross({ state: { cross, first }, camera, width, isTurned }: {
   readonly width: number;
   readonly isTurned: boolean;
 }) {
-  const t = useMeasureTexts(), c = cross && toScreen(camera, cross.at), a = first && toScreen(camera, first.at);
+  const t = useTexts("measure"), c = cross && toScreen(camera, cross.at), a = first && toScreen(camera, first.at);
   const name = cross
     ? [t.spots[cross.spot], ...(cross.edge ? [t.owners[cross.edge.of]] : [])].filter((each) => each !== "").join(" · ")
     : "";
@@ -79,7 +80,7 @@ const AIR = 6;
 export function MeasureLayer({ viewport, measuring, source }: { readonly viewport: Viewport; readonly measuring: Measuring;
   readonly source: MeasureSource })
 {
-  const t = useMeasureTexts(), lengths = useLengths(), unit = usePageUnit(), isNarrow = useMedia("narrow");
+  const t = useTexts("measure"), lengths = useLengths(), unit = usePageUnit(), isNarrow = useMedia("narrow");
   const camera = useCamera(viewport), size = viewport.size();
   const readings = useReadings(source), state = useStore(measuring.state);
   const sourceNow = useEffectEvent(() => source), textsNow = useEffectEvent(() => t);

@@ -14,7 +14,7 @@ import { useLengths } from "../../calculation/lengths.ts";
 import { MeasuredInto, type MeasuredTarget } from "../../document/measured-into.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { useMedia } from "../../base/use-media.ts";
-import { otherText, useMeasureTexts, gaugedText, type MeasurementWords } from "./measure-words.ts";
+import { otherText, gaugedText, type MeasurementWords } from "./measure-words.ts";
 import { removeMeasurement } from "./MeasuredLabels.tsx";
 import { toolsOf } from "./hand.ts";
 import { TOOL_KEYS, type Measuring, type MeasureState } from "./measuring.ts";
@@ -182,7 +182,7 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
   readonly source: MeasureSource; readonly state: MeasureState; readonly readings: readonly MeasurementNow[];
   readonly words: ReadonlyMap<string, MeasurementWords>; readonly kept: (box: LabelBox | null) => void })
 {
-  const t = useMeasureTexts(), take = useTexts().lathe.takeInto, lengths = useLengths();
+  const t = useTexts("measure"), take = useTexts().lathe.takeInto, lengths = useLengths();
   const target = useContext(MeasuredInto), panel = useRef<HTMLDivElement>(null), isTurned = source.plane === "ZX";
   const [spoken, speak] = useState({ text: "", after: state }), isPhone = useMedia("phone");
   useEffect(() => {

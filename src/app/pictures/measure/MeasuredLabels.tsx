@@ -4,7 +4,8 @@ import { toPlace, type Camera, type Place } from "../../../view/camera.ts";
 import type { StandingMeasurement } from "../../../view/measure/layout.ts";
 import { setMeasured } from "../../document/edits.ts";
 import { Icon } from "../../base/Icon.tsx";
-import { useMeasureTexts, type MeasurementWords } from "./measure-words.ts";
+import { type MeasurementWords } from "./measure-words.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** A text on its way to another place. */
 export interface Moved {
@@ -35,7 +36,7 @@ function MeasuredLabel({ standing: { id, text, caption, middle, box }, name, isO
   readonly isMoving: boolean;
   readonly move: (moved: Moved | null) => void;
 }) {
-  const t = useMeasureTexts(), [open, show] = useState(false);
+  const t = useTexts("measure"), [open, show] = useState(false);
   const drag = useRef<{ readonly from: Place; readonly middle: Place; last: Pt | null } | null>(null);
   const press = (event: PointerEvent<HTMLButtonElement>) => {
     if (event.button !== 0) return;

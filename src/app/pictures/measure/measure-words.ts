@@ -1,14 +1,9 @@
 import type { MeasureTexts } from "../../../i18n/en/measure.ts";
 import type { Lengths } from "../../../i18n/lengths.ts";
 import { formatFixed } from "../../../i18n/number.ts";
-import { loadMeasure } from "../../../i18n/load-measure.ts";
 import type { MeasuredKind, MeasuredMoment } from "../../../kernel/plan/measured.ts";
 import { INCH } from "../../../kernel/units.ts";
 import type { MeasurementNow } from "../../../view/measure/reading.ts";
-import { laterTexts } from "../../base/settings/later-texts.ts";
-
-/** The texts of measuring, in the screen language. */
-export const { useThem: useMeasureTexts } = laterTexts(loadMeasure);
 
 /** A measured value as the control writes numbers: ⌀42.000, 35.000, R1.500, 30.000°. */
 export function gaugedText(lengths: Lengths, kind: MeasuredKind, value: number): string {

@@ -1,6 +1,5 @@
 import { useEffect, useId, useMemo, useRef, useState } from "react";
 import type { Run } from "../../../program/state/run-types.ts";
-import { loadSolid } from "../../../i18n/load-solid.ts";
 import type { SolidTexts } from "../../../i18n/en/solid.ts";
 import { pathInSpace, segmentsInSpace } from "../../../view/solid/path-lines.ts";
 import type { SolidTold } from "../../../view/solid/shown-bodies.ts";
@@ -15,7 +14,7 @@ import { LoadPart } from "../load/LoadParts.tsx";
 import { useLoadDrawing } from "../load/use-drawing.ts";
 import { useLoadOf } from "../load/use-load.ts";
 import { reducedMotion } from "../../base/settings/appearance.ts";
-import { laterTexts } from "../../base/settings/later-texts.ts";
+import { useTexts } from "../../base/settings/use-texts.ts";
 import { changeSettings, useSettings } from "../../base/settings/settings.ts";
 import { createEye, seenInSpace, type Eye } from "./eye.ts";
 import { listenToHands } from "./hands.ts";
@@ -23,8 +22,6 @@ import { createShow, NOTHING_TOLD, type Show, type ShownWork } from "./show.ts";
 import type { StageLines } from "./path-stage.ts";
 import { createStage, STAGE_COLOURS, type SolidStage } from "./stage.ts";
 import "./solid.css";
-
-const { useThem: useSolidTexts } = laterTexts(loadSolid);
 
 /** Zoom and fit of whatever is looked at. */
 export type Zooming = Pick<Viewport, "zoom" | "fit" | "show">;
@@ -47,7 +44,7 @@ interface Props {
 
 /** The turned body in space. Where that cannot be drawn it says so, and what lies below is seen. */
 export function SolidView(props: Props) {
-  const t = useSolidTexts(), [tries, tryAgain] = useState(0);
+  const t = useTexts("solid"), [tries, tryAgain] = useState(0);
   return <Tried key={tries} {...props} t={t} again={() => tryAgain(tries + 1)} />;
 }
 

@@ -1,9 +1,9 @@
 import { courseIndexOf } from "virtual:course-index";
 import { lessonSchema, type Lesson } from "../../../course/lesson.ts";
 import { taskSchema, type Task } from "../../../course/task.ts";
-import type { Language } from "../../../i18n/languages.ts";
 import { untilHere } from "../../base/parts.ts";
-import { laterTexts } from "../../base/settings/later-texts.ts";
+import { byLanguage } from "../../base/settings/loaded-texts.ts";
+import { useByLanguage } from "../../base/settings/use-texts.ts";
 
 /** A task as the list of lessons knows it. */
 export interface TaskEntry {
@@ -28,7 +28,8 @@ export interface CourseIndex {
 }
 
 /** The list of lessons, in the screen language. */
-export const { useThem: useCourseIndex, provide: provideCourseIndex } = laterTexts(courseIndexOf);
+export const courseIndex = byLanguage(courseIndexOf);
+export const useCourseIndex = (): CourseIndex => useByLanguage(courseIndex);
 
 const lessons = import.meta.glob<unknown>("../../../course/lessons/*.json", { import: "default" });
 const tasks = import.meta.glob<unknown>("../../../course/tasks/*.json", { import: "default" });
@@ -59,7 +60,3 @@ export async function fetchTask(id: string): Promise<Task | null> {
   const fetch = found(tasks, (name) => name === id);
   return fetch ? taskSchema.parse(await untilHere(fetch)) : null;
 }
-
-/** Words in the screen language; where they are missing there, in one that has them. */
-export const inScreenLanguage = <T>(said: Readonly<Partial<Record<Language, T | undefined>>>, language: Language): T | undefined =>
-  said[language] ?? said.en ?? said.de ?? said.fr ?? said.zh;

@@ -1,7 +1,7 @@
 import { useRef } from "react";
 import { Icon } from "../../base/Icon.tsx";
 import type { SaveBack, SaveHow } from "./save-back.ts";
-import { useFilesTexts } from "../../base/use-files-texts.ts";
+import { useTextsSoon } from "../../base/settings/use-texts.ts";
 import { useModal } from "../../base/use-modal.ts";
 
 /** What stands in the way of saving. */
@@ -20,7 +20,7 @@ interface Props {
 
 /** A file that was not written, with why, and what can be done. Closing it leaves everything as it is. */
 export function SaveProblem({ file, obstacle, canSave, onSave, onDownload, onCompare, done }: Props) {
-  const t = useFilesTexts();
+  const t = useTextsSoon("files");
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog);
   const leave = (way: () => void) => () => {

@@ -1,3 +1,4 @@
+import { ncLanguageOf } from "../../../i18n/languages.ts";
 import { untilHere } from "../../base/parts.ts";
 import { notice } from "../../base/notices.ts";
 import { useSettings } from "../../base/settings/settings.ts";
@@ -21,7 +22,7 @@ export async function asKlartext(file: WorkFile): Promise<WorkFile> {
   if (!isIsoText(file.text)) return file;
   const { control, language } = useSettings.getState();
   const style = { ...LAYOUTS[control === "TNC7" ? "tnc7" : "tnc640"], newLine: file.text.includes("\r\n") ? "\r\n" : "\n" } as const;
-  const { text } = klartextOfIso(file.text, style, isoNames(ncLabels(language)));
+  const { text } = klartextOfIso(file.text, style, isoNames(ncLabels(ncLanguageOf(language))));
   notice("isoRead");
   return { ...file, name: `${file.name.replace(/\.(?:i|h)$/i, "")}.h`, text };
 }

@@ -14,7 +14,7 @@ import { useModal } from "../../../app/base/use-modal.ts";
 import { useTaskFile } from "../task/use-task-file.ts";
 import { DrawingSheet } from "./DrawingSheet.tsx";
 import { printWords } from "./print-words.ts";
-import { useDrawingTexts } from "./use-drawing-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import "./drawing.css";
 
 /** The part that comes of a program: as its cycles and moves want it, or where it calls no cycle as it is made. */
@@ -26,7 +26,7 @@ function drawnOf(outcome: Outcome, known: Task | null) {
 
 /** Why there is no drawing, in its place. */
 function NoDrawing({ name, text, done }: { readonly name: string; readonly text: string; readonly done: () => void }) {
-  const t = useDrawingTexts();
+  const t = useTexts("course-drawing");
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog);
   return createPortal(
@@ -44,7 +44,7 @@ function NoDrawing({ name, text, done }: { readonly name: string; readonly text:
 
 /** The workshop drawing of the part that the open program makes, made of its own contours; large, to print and to save. */
 export function ProgramDrawing({ stem, done }: { readonly stem: string; readonly done: () => void }) {
-  const t = useDrawingTexts();
+  const t = useTexts("course-drawing");
   const language = useSettings((s) => s.language);
   const shown = useOutcome((s) => s.shown), dimmed = useOutcome((s) => s.dimmed);
   const file = useEditor((s) => s.program?.name);

@@ -6,14 +6,14 @@ import { usualTable } from "../../../program/tools/cutting-table.ts";
 import { workshopDrawing } from "../../../view/drawing/workshop-drawing.ts";
 import { useSize } from "../../../app/pictures/help/use-size.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
-import { inScreenLanguage } from "../../../app/records/course/content.ts";
+import { inScreenLanguage } from "../../../course/words.ts";
 import { DrawingSheet } from "./DrawingSheet.tsx";
 import { DrawnPrint } from "./DrawnPrint.tsx";
 import { printWords } from "./print-words.ts";
 import { SizeList } from "./SizeList.tsx";
 import { TitleBlock } from "./TitleBlock.tsx";
 import { sheetTitleOf } from "./title-words.ts";
-import { useDrawingTexts } from "./use-drawing-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import "./drawing.css";
 
 /** Pixels for a millimetre on paper: figures of 3 mm are as large as the small text of the page. */
@@ -29,7 +29,7 @@ export type DrawableTask = Pick<Task, "id" | "part" | "sizes" | "rules" | "mater
  * printer. Language: that of the screen.
  */
 export function WorkshopDrawing({ task, language }: { readonly task: DrawableTask; readonly language: Language }) {
-  const t = useDrawingTexts();
+  const t = useTexts("course-drawing");
   const list = useId();
   const [large, setLarge] = useState(false);
   const frame = useRef<HTMLDivElement>(null);

@@ -1,6 +1,6 @@
 import { Suspense } from "react";
 import { lazyPart } from "../../../app/base/parts.ts";
-import { fetchShownTexts } from "../../../app/base/settings/shown-texts.ts";
+import { fetchShownTexts } from "../../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../../app/document/store.ts";
 
 /** Fetched with the texts of the workplace when a task is open. */

@@ -9,7 +9,7 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../../app/document/store.ts";
 import { useMedia } from "../../../app/base/use-media.ts";
-import { inScreenLanguage } from "../../../app/records/course/content.ts";
+import { inScreenLanguage } from "../../../course/words.ts";
 import { checkTask, compareForetold, isOfWork, judgeQuietly, lookAgain } from "./check.ts";
 import { ForetellForm } from "./ForetellForm.tsx";
 import { ForetoldResult } from "./ForetoldResult.tsx";

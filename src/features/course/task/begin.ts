@@ -1,3 +1,4 @@
+import { ncLanguageOf } from "../../../i18n/languages.ts";
 import { cycleByNumber } from "../../../cycles/index.ts";
 import type { Job } from "../../../program/job/job.ts";
 import { startOfTask, toolsOfTask } from "../../../course/start-of.ts";
@@ -20,8 +21,8 @@ export function workOfTask(task: Task, fromOutside = false): Work {
     ...(task.material !== undefined && { material: task.material }),
     task: { id: task.id, ...(isVeiled(task) && { veiled: true }), ...(fromOutside && { file: task }) },
   };
-  const { language: ncLanguage, output } = useSettings.getState();
-  if (start.kind === "job") return { ...start.job, ncLanguage, output, ...brought };
+  const { language, output } = useSettings.getState();
+  if (start.kind === "job") return { ...start.job, ncLanguage: ncLanguageOf(language), output, ...brought };
   return { name: start.name, text: start.text, encoding: "utf-8", ...brought };
 }
 

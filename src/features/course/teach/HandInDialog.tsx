@@ -6,13 +6,14 @@ import { HandingDialog } from "../../../app/base/HandingDialog.tsx";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import { inScreenLanguage, useCourseIndex } from "../../../app/records/course/content.ts";
+import { inScreenLanguage } from "../../../course/words.ts";
+import { useCourseIndex } from "../../../app/records/course/content.ts";
 import { useLearning } from "../../../app/records/course/progress.ts";
 import { handedResult } from "./hand-in.ts";
 import { LinkBox, pageAddress } from "./LinkBox.tsx";
 import { resultLink, taughtFile } from "./taught-files.ts";
 import { useTaught } from "../../../app/records/course/taught.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { TeachText } from "./WordFields.tsx";
 import "./teach.css";
 
@@ -21,7 +22,7 @@ const inFile = (name: string): string => name.trim().replace(/[^\p{L}\p{N}]+/gu,
 
 /** Gathers what was done in tasks, as a file or a link to hand on. */
 export function HandInDialog({ done }: { readonly done: () => void }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   const progress = useLearning((s) => s.list);
   const own = useTaught((s) => s.list);

@@ -5,7 +5,7 @@ import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { copyText, useCopying } from "../../../app/findings/copy.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import "../../../app/base/handing.css";
 
 /** The address of this page, without anything behind `#`. */
@@ -13,7 +13,7 @@ export const pageAddress = (): string => location.href.replace(/[?#].*$/, "");
 
 /** A link to copy, with what keeps it from being opened where it goes. */
 export function LinkBox({ link, copies }: { readonly link: string; readonly copies?: () => void }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   const copied = useCopying((c) => c.state === "copied" && c.text === link);
   const isHere = isHereOnly(pageAddress()), isLong = link.length > SAFE_LINK;

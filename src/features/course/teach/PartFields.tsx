@@ -4,12 +4,12 @@ import { isSameSize } from "../../../course/made/form-of-task.ts";
 import { wantedPart } from "../../../course/wanted-part.ts";
 import { usualTable } from "../../../program/tools/cutting-table.ts";
 import { sizeChoices } from "./size-choices.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { TeachText, type FormPart } from "./WordFields.tsx";
 
 /** Blank and outlines of the wanted part, taken from the program or typed. */
 export function PartFields({ made, change, answer }: FormPart & { readonly answer: Answer }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const { blank, outside, bore, threads } = made;
   // What was chosen stays chosen as long as the part still has it.
   const put = (part: Partial<Pick<typeof made, "blank" | "outside" | "bore">>, isStep = false) => {

@@ -8,7 +8,7 @@ import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { placeWords } from "../task/mark-words.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { TeachText, type FormPart } from "./WordFields.tsx";
 
 /** What a fresh question asks, as far as it is not asked yet. */
@@ -24,7 +24,7 @@ interface QuestionsProps extends FormPart {
 
 /** What is asked before the run. What is right is told by the run, as it is typed. */
 export function QuestionFields({ made, change, begun, solution, truths }: QuestionsProps) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const sign = useSettings((s) => decimalSign(s.language));
   const { questions, sizes } = made;
   const worded = (ask: AskedKind, at: string): string => {
@@ -79,7 +79,7 @@ interface OneProps {
 }
 
 function OneQuestion({ index, draft, truth, begun, put, ask, remove }: OneProps) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const number = String(index + 1), operations = begun?.run.operations ?? [], choices = choicesOf(draft);
   return (
     <section className="teach-question" aria-label={t.question(number)}>
@@ -137,7 +137,7 @@ const DECIMALS = 2;
 
 /** What is right, as the run has it; of a choice and of a block the instructor says it. */
 function TruthTold({ truth, begun }: { readonly truth: Truth; readonly begun: Answer }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   if (!isThere(truth, begun)) {
     return <Message tone="warning">{t.noTruth}</Message>;

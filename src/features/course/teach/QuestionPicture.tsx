@@ -5,7 +5,7 @@ import { at, type Pt } from "../../../kernel/geometry/point.ts";
 import { axial, radius } from "../../../kernel/units.ts";
 import { boundsOf } from "../../../view/bounds.ts";
 import { ringData, segmentData } from "../../../view/path.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** Space round the part, and how large a mark is, shares of its length. */
 const AIR = 0.05, MARK = 0.012;
@@ -14,7 +14,7 @@ const AIR = 0.05, MARK = 0.012;
 export function QuestionPicture({ begun: { run }, truth, within, said, take }: { readonly begun: Answer; readonly truth: TruePlace | null;
   readonly within: number; readonly said: Pt | null; readonly take: (place: Pt) => void })
 {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const svg = useRef<SVGSVGElement>(null);
   const box = boundsOf(run.blank.flat());
   if (!box) return null;

@@ -5,25 +5,21 @@ import { choicesOf, predictionOf } from "../../../course/made/made-questions.ts"
 import type { QuestionDraft } from "../../../course/made/question-draft.ts";
 import { answerKindOf, toldBy } from "../../../course/told.ts";
 import type { CourseTaskTexts } from "../../../i18n/en/course-task.ts";
-import { loadCourseTask } from "../../../i18n/load-course-task.ts";
 import { formatFixed, formatNumber } from "../../../i18n/number.ts";
 import { radius, toDiameter } from "../../../kernel/units.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
-import { laterTexts } from "../../../app/base/settings/later-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { AskedAnswer } from "../task/AskedAnswer.tsx";
 import { placeWords } from "../task/mark-words.ts";
 import { QuestionPicture } from "./QuestionPicture.tsx";
-import { useTeachTexts } from "./use-teach-texts.ts";
 import "../task/task.css";
-
-const { useThem: useTaskTexts } = laterTexts(loadCourseTask);
 
 /** What the learner is asked, one question after the other, over the part before its run. It can be answered, and shows what is right. */
 export function QuestionPreview({ questions, truths, begun }: { readonly questions: readonly QuestionDraft[];
   readonly truths: readonly (Truth | null)[]; readonly begun: Answer })
 {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const [shown, show] = useState(0);
   const [shows, toggle] = useState(true);
   const index = Math.min(shown, questions.length - 1), draft = questions[index];
@@ -53,7 +49,7 @@ export function QuestionPreview({ questions, truths, begun }: { readonly questio
 function Asked({ draft, truth, begun, shows }: { readonly draft: QuestionDraft; readonly truth: Truth | null; readonly begun: Answer;
   readonly shows: boolean })
 {
-  const t = useTeachTexts(), task = useTaskTexts();
+  const t = useTexts("course-teach"), task = useTexts("course-task");
   const language = useSettings((s) => s.language);
   const labelled = useId();
   const [text, say] = useState("");
@@ -92,7 +88,7 @@ const unitOf = ({ foretell: { units } }: CourseTaskTexts, ask: string): string =
 
 /** What is right, in words. */
 function Right({ truth, draft, unit }: { readonly truth: Truth; readonly draft: QuestionDraft; readonly unit: string }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   switch (truth.kind) {
     case "number":

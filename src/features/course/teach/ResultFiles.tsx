@@ -6,11 +6,11 @@ import { dropGathered } from "../../../app/records/course/gathered.ts";
 import { useProblemWords } from "./problem-words.ts";
 import { plainName, type LearnerFile, type ResultRow } from "../../../app/records/course/result-rows.ts";
 import type { FileLeftOut } from "../../../app/records/course/taught-shown.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** Files that brought nothing, each with its reason. */
 export function LeftOut({ leftOut }: { readonly leftOut: readonly FileLeftOut[] }) {
-  const { results: words } = useTeachTexts();
+  const { results: words } = useTexts("course-teach");
   const problemOf = useProblemWords();
   return (
     <ul role="status" className="taught-said">
@@ -32,7 +32,7 @@ interface FilesProps {
 
 /** The files that the table is made of: what each brought, what of it counts, and the way to take it out again. */
 export function ResultFiles({ files, rows, day }: FilesProps) {
-  const t = useTeachTexts(), { results: words } = t;
+  const t = useTexts("course-teach"), { results: words } = t;
   const [gone, say] = useState<{ readonly file: string; readonly step: object | undefined } | null>(null);
   const last = useSteps((s) => s.past.at(-1));
   const drop = (each: LearnerFile | null) => {

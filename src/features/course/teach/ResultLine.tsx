@@ -2,13 +2,13 @@ import { openText } from "../../../app/fields/open/open-program.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { NUMBERS, type ResultColumn, type ResultRow } from "../../../app/records/course/result-rows.ts";
 import { leaveTaught } from "../../../app/records/course/taught-shown.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** One task of one learner, with the way to its program. `waits`: it is being run. */
 export function ResultLine({ row: { result, earlier }, columns, text, waits }: { readonly row: ResultRow;
   readonly columns: readonly ResultColumn[]; readonly text: Readonly<Record<ResultColumn, string>>; readonly waits: boolean })
 {
-  const { results: words } = useTeachTexts();
+  const { results: words } = useTexts("course-teach");
   const { program } = result;
   const cell = (column: ResultColumn) => (column === "made" && earlier ? `${text.made} · ${words.earlier}` : text[column]);
   return (

@@ -1,7 +1,7 @@
 import { Icon } from "../../../app/base/Icon.tsx";
 import { NUMBERS, type ResultColumn, type ResultRow } from "../../../app/records/course/result-rows.ts";
 import { ResultLine } from "./ResultLine.tsx";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** The column that a table is sorted by. `down`: the greatest first. */
 export interface ResultSort {
@@ -22,7 +22,7 @@ interface TableProps {
 
 /** Results as a table; its first column stays in sight where the table is wider than the screen. */
 export function ResultTable({ title, rows, columns, heads, text, waits, sort, sortBy }: TableProps) {
-  const { results: words } = useTeachTexts();
+  const { results: words } = useTexts("course-teach");
   return (
     <div className="taught-table" role="region" aria-label={title} tabIndex={0}>
       <table>

@@ -14,11 +14,11 @@ import { ResultTable, type ResultSort } from "./ResultTable.tsx";
 import { leaveTaught, type FileLeftOut } from "../../../app/records/course/taught-shown.ts";
 import { useAgain } from "./use-again.ts";
 import { useResultCells } from "./use-result-cells.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** What learners handed in, as a table that is sorted, printed and saved as a sheet; each program is run once more and can be opened. */
 export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut[] }) {
-  const t = useTeachTexts(), { results: words } = t;
+  const t = useTexts("course-teach"), { results: words } = t;
   const language = useSettings((s) => s.language);
   const { list: files, trouble } = useGathered();
   const dialog = useRef<HTMLDialogElement>(null), file = useRef<HTMLInputElement>(null);

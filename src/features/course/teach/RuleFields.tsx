@@ -1,11 +1,11 @@
 import { LIST_RULES, NUMBER_RULES, type ListRule, type NumberRule, type RuleDraft } from "../../../course/made/made-form.ts";
 import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import type { FormPart } from "./WordFields.tsx";
 
 /** The rules of the shop, each switched on with its number. */
 export function RuleFields({ made, change }: FormPart) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const put = (rule: NumberRule | ListRule, some: Partial<RuleDraft>) =>
     change({ rules: { ...made.rules, [rule]: { ...made.rules[rule], ...some } } });
   return (

@@ -2,12 +2,12 @@ import { formatNumber } from "../../../i18n/number.ts";
 import type { SizeDraft } from "../../../course/made/made-form.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import type { FormPart } from "./WordFields.tsx";
 
 /** The sizes of the part, each chosen with its deviations. */
 export function SizeFields({ made, change }: FormPart) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   const number = (value: number) => formatNumber(language, value);
   const put = (at: number, some: Partial<SizeDraft>) =>

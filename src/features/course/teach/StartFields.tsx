@@ -2,12 +2,12 @@ import { useId } from "react";
 import type { Answer } from "../../../course/judge/judgement.ts";
 import { possibleFaults } from "../../../course/made/faults.ts";
 import { linesOfText, programOfMade, promptsOf } from "../../../course/made/made-task.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { TeachText, type FormPart } from "./WordFields.tsx";
 
 /** What lies open when the task begins. */
 export function StartFields({ made, change, answer }: FormPart & { readonly answer: Answer }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const name = useId();
   const { operations } = answer.run;
   const { prompts: { operation, emptied }, faults, start } = made;

@@ -5,7 +5,7 @@ import { toDiameter, radius } from "../../../kernel/units.ts";
 import { HandingDialog } from "../../../app/base/HandingDialog.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import { inScreenLanguage } from "../../../app/records/course/content.ts";
+import { inScreenLanguage } from "../../../course/words.ts";
 import { WorkshopDrawing } from "../drawing/WorkshopDrawing.tsx";
 import { beginTask } from "../task/begin.ts";
 import { ResultView } from "./ResultView.tsx";
@@ -13,7 +13,7 @@ import { keepTask, useTaught } from "../../../app/records/course/taught.ts";
 import { taughtFile } from "./taught-files.ts";
 import { TaughtProblemView } from "./TaughtProblemView.tsx";
 import { leaveTaught, useTaughtShown } from "../../../app/records/course/taught-shown.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import type { Task } from "../../../course/task.ts";
 import "./teach.css";
 
@@ -36,7 +36,7 @@ export function TaughtDialog() {
 }
 
 function IncomingTask({ task, left }: { readonly task: Task; readonly left: readonly string[] }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   const isHere = useTaught((s) => s.list.some((each) => JSON.stringify(each) === JSON.stringify(task)));
   const words = inScreenLanguage(task.words, language);

@@ -3,11 +3,11 @@ import { Message } from "../../../app/base/Message.tsx";
 import { useProblemWords } from "./problem-words.ts";
 import type { TaughtProblem } from "../../../app/records/course/taught-shown.ts";
 import { leaveTaught } from "../../../app/records/course/taught-shown.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** Why a file or a link opens nothing: of a task that was written by hand, field by field. */
 export function TaughtProblemView({ file, problem }: { readonly file: string; readonly problem: TaughtProblem }) {
-  const t = useTeachTexts(), { problem: words } = t;
+  const t = useTexts("course-teach"), { problem: words } = t;
   const [why = "", ...faults] = useProblemWords()(problem);
   return (
     <HandingDialog title={file === "" ? words.link : words.file(file)} done={leaveTaught}>

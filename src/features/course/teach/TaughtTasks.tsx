@@ -4,7 +4,7 @@ import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { lazyPart } from "../../../app/base/parts.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import { inScreenLanguage } from "../../../app/records/course/content.ts";
+import { inScreenLanguage } from "../../../course/words.ts";
 import { useLearning } from "../../../app/records/course/progress.ts";
 import { TaskStateMark } from "../TaskStateMark.tsx";
 import { beginTask } from "../task/begin.ts";
@@ -13,7 +13,7 @@ import type { Task } from "../../../course/task.ts";
 import { undo, useSteps } from "../../../app/document/steps.ts";
 import { showResults } from "../../../app/records/course/taught-shown.ts";
 import { copyTask, removeTask, useTaught } from "../../../app/records/course/taught.ts";
-import { useTeachTextsSoon } from "./use-teach-texts.ts";
+import { useTextsSoon } from "../../../app/base/settings/use-texts.ts";
 import "./teach.css";
 
 const TeachDialog = lazyPart(async () => ({ default: (await import("./TeachDialog.tsx")).TeachDialog }));
@@ -21,7 +21,7 @@ const HandInDialog = lazyPart(async () => ({ default: (await import("./HandInDia
 
 /** The tasks that came from outside, below the lessons, and the way to hand in what was done. */
 export function TaughtTasks() {
-  const t = useTeachTextsSoon();
+  const t = useTextsSoon("course-teach");
   const language = useSettings((s) => s.language);
   const { list, trouble } = useTaught();
   const learning = useLearning((s) => s.list);

@@ -10,7 +10,7 @@ import { LinkBox, pageAddress } from "./LinkBox.tsx";
 import { forgetForm } from "../../../app/records/course/kept-form.ts";
 import { keepTask, useTaught } from "../../../app/records/course/taught.ts";
 import { taskLink, taughtFile } from "./taught-files.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** Most marks that are told at once. */
 const MOST_TOLD = 6;
@@ -32,7 +32,7 @@ export function TeachCheck({ task, judged, isIdle, foretells, lacking, formKey, 
   readonly isChange: boolean;
   readonly done: () => void;
 }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const lacks = lacking.truth.length > 0;
   const faults = "length" in task ? [...task, ...(lacks ? ["truth" as const] : [])] : lacks ? ["truth" as const] : null;
   const whole = "length" in task || lacks ? null : task;
@@ -103,7 +103,7 @@ export function TeachCheck({ task, judged, isIdle, foretells, lacking, formKey, 
 }
 
 function Told({ mark: { rule, value, limit, block } }: { readonly mark: TaskMark }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   const number = (n: number | undefined) => (n === undefined ? "" : formatNumber(language, n));
   const where = block === undefined ? "" : t.inBlock(String(block));
@@ -112,7 +112,7 @@ function Told({ mark: { rule, value, limit, block } }: { readonly mark: TaskMark
 }
 
 function HandOut({ task, keep }: { readonly task: Task; readonly keep: () => void }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   return (
     <>
       <h3>{t.handOut}</h3>

@@ -1,7 +1,9 @@
 import { useEffect, useRef, useState } from "react";
 import { answerOf } from "../../../course/judge/answer.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
-import { formOfTask, languageOfTask, sizesOfBoth, textOfTask } from "../../../course/made/form-of-task.ts";
+import { shownLanguageOf, inScreenLanguage } from "../../../course/words.ts";
+import { lessonLanguageOf, type Language } from "../../../i18n/languages.ts";
+import { formOfTask, sizesOfBoth, textOfTask } from "../../../course/made/form-of-task.ts";
 import { formWithSign, type MadeTask } from "../../../course/made/made-form.ts";
 import { partOfMade, proposedTask } from "../../../course/made/made-task.ts";
 import type { Task } from "../../../course/task.ts";
@@ -14,11 +16,10 @@ import { usualTable } from "../../../program/tools/cutting-table.ts";
 import { fingerprint } from "../../../app/records/difference.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useModal } from "../../../app/base/use-modal.ts";
-import { inScreenLanguage } from "../../../app/records/course/content.ts";
 import { keptForm, keyOfTask, keyOfWork } from "../../../app/records/course/kept-form.ts";
 import { sizeChoices } from "./size-choices.ts";
 import { TeachForm, type BegunForm } from "./TeachForm.tsx";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import "./teach.css";
 
 /** What a form is made of: the program of a work, or a task that is kept. */
@@ -34,13 +35,13 @@ function openMaterial(): MadeTask["material"] {
   return usualTable.materials.find(({ id }) => id === open)?.id ?? null;
 }
 
-function begunForm(source: TeachSource, screen: ReturnType<typeof useSettings.getState>["language"]): BegunForm | null {
+function begunForm(source: TeachSource, screen: Language): BegunForm | null {
   const base = "task" in source ? source.task : null, text = "task" in source ? textOfTask(source.task) : source.text;
   if (text === null) return null;
   const answer = answerOf(text), isPart = makesPart(answer), milled = milledFrom(answer);
   if (!isPart && milled === null && !base) return null;
   const keptAs = "task" in source ? keyOfTask(source.task.id) : keyOfWork(source.work), print = fingerprint(text);
-  const language = base ? languageOfTask(base, screen) : screen, kept = keptForm(keptAs);
+  const language = (base && shownLanguageOf(base.words, screen)) ?? lessonLanguageOf(screen), kept = keptForm(keptAs);
   const only: Partial<MadeTask> = isPart ? {} : { kind: "predict", start: "program" };
   const form = kept?.form
     ?? { ...(base ? formOfTask(base, text, answer, language) : { ...proposedTask(answer), material: openMaterial() }), ...only };
@@ -72,7 +73,7 @@ function useBegun(source: TeachSource): BegunForm | "none" | null {
 
 /** The form that makes a task of a program, or changes one: filled in from it, checked while it is typed, tried and handed out. */
 export function TeachDialog({ done, ...source }: TeachSource & { readonly done: () => void }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const screen = useSettings((s) => s.language);
   const begun = useBegun(source);
   const dialog = useRef<HTMLDialogElement>(null);

@@ -2,7 +2,8 @@ import { useDeferredValue, useMemo, useState } from "react";
 import { answerOf } from "../../../course/judge/answer.ts";
 import { judge } from "../../../course/judge/judge.ts";
 import type { Answer } from "../../../course/judge/judgement.ts";
-import { editedTask, type TaskLanguage } from "../../../course/made/form-of-task.ts";
+import { editedTask } from "../../../course/made/form-of-task.ts";
+import type { LessonLanguage } from "../../../i18n/languages.ts";
 import { formWithSign, type MadeTask } from "../../../course/made/made-form.ts";
 import { isThere, isWhole, truthsOf } from "../../../course/made/made-questions.ts";
 import { asksBefore, begunOfMade, linesOfText, partOfMade, proposedTask, taskOfMade, wantsPart } from "../../../course/made/made-task.ts";
@@ -24,7 +25,7 @@ import { StartFields } from "./StartFields.tsx";
 import { TeachCheck } from "./TeachCheck.tsx";
 import { ThreadFields } from "./ThreadFields.tsx";
 import { ToolFields } from "./ToolFields.tsx";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { WordFields } from "./WordFields.tsx";
 
 /** The answer with its form, as it was left or as it is proposed. */
@@ -38,7 +39,7 @@ export interface BegunForm {
   readonly keptAs: string;
   readonly print: string;
   readonly keptPrint: string;
-  readonly language: TaskLanguage;
+  readonly language: LessonLanguage;
   readonly isPart: boolean;
   /** The first block that mills. */
   readonly milled: number | null;
@@ -93,7 +94,7 @@ function useChecked(settled: MadeTask, { answer, base, language, print }: BegunF
 }
 
 export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => void }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const { answer, base, first, keptAs, print, isPart, milled, text } = of;
   const screen = useSettings((s) => s.language);
   const isKept = useForms((s) => s.trouble !== "notKept");

@@ -3,12 +3,12 @@ import type { Answer } from "../../../course/judge/judgement.ts";
 import type { ThreadDraft } from "../../../course/made/made-threads.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import type { FormPart } from "./WordFields.tsx";
 
 /** The threads of the part, as the cycles cut them, each with its name. */
 export function ThreadFields({ made, change, answer }: FormPart & { readonly answer: Answer }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   const { threads, outside, bore } = made;
   if (threads.length === 0) return null;

@@ -3,12 +3,12 @@ import type { Answer } from "../../../course/judge/judgement.ts";
 import { calledTools } from "../../../course/judge/rules.ts";
 import { TOOL_OFFERS } from "../../../course/made/made-form.ts";
 import { shippedTools } from "../../../program/tools/shipped-tools.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import type { FormPart } from "./WordFields.tsx";
 
 /** Which tools the learner finds in the table: those of the answer, a choice that holds others as well, or all. */
 export function ToolFields({ made, change, answer }: FormPart & { readonly answer: Answer }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const name = useId();
   const { offer, tools } = made;
   const called = [...calledTools(answer).keys()].join(", ");

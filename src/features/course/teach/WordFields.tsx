@@ -1,7 +1,7 @@
 import { useId } from "react";
 import type { MadeTask } from "../../../course/made/made-form.ts";
 import { asksBefore } from "../../../course/made/made-task.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** What each part of the form is given: the form as it is, and what changes it. */
 export interface FormPart {
@@ -35,7 +35,7 @@ export function TeachText({ label, hint, value, rows = 1, isNc = false, change }
 
 /** Kind, title, assignment and the three hints. */
 export function WordFields({ made, change, kinds }: FormPart & { readonly kinds: readonly MadeTask["kind"][] }) {
-  const t = useTeachTexts();
+  const t = useTexts("course-teach");
   const name = useId();
   const { words, kind } = made;
   const say = (some: Partial<MadeTask["words"]>) => change({ words: { ...words, ...some } });

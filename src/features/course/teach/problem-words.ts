@@ -1,7 +1,7 @@
 import type { FieldFault } from "../../../course/read-task.ts";
 import type { TaughtProblem } from "../../../app/records/course/taught-shown.ts";
 import { LARGEST_TAUGHT } from "./taught-files.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** Most faults that are told at once. */
 const MOST_TOLD = 10;
@@ -9,7 +9,7 @@ const MEGABYTE = 1_000_000;
 
 /** Says why a file or a link brings nothing: a sentence, and what is wrong with each of its fields. */
 export function useProblemWords(): (problem: TaughtProblem) => readonly string[] {
-  const { problem: words } = useTeachTexts();
+  const { problem: words } = useTexts("course-teach");
   const ofField = ({ path, kind, wanted }: FieldFault): string => {
     if (kind === "type") return words.fault.type(path, words.types[wanted as keyof typeof words.types] ?? wanted);
     return words.fault[kind](path, wanted);

@@ -1,7 +1,7 @@
 import { formatNumber } from "../../../i18n/number.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import type { Again, ResultColumn, ResultRow } from "../../../app/records/course/result-rows.ts";
-import { useTeachTexts } from "./use-teach-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 const MINUTE = 60;
 const two = (n: number): string => String(n).padStart(2, "0");
@@ -14,7 +14,7 @@ function sheetDay(made: number): string {
 
 /** How the cells of results are written, on the screen and in a sheet. */
 export function useResultCells(again: ReadonlyMap<string, Again>) {
-  const { results: words } = useTeachTexts();
+  const { results: words } = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   const day = (made: number) => new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" }).format(made);
   const heads: Readonly<Record<ResultColumn, string>> = {

@@ -1,5 +1,6 @@
 import { Suspense, useLayoutEffect, useMemo, useRef, useState } from "react";
 import { cycleByNumber } from "../../../cycles/index.ts";
+import { ncLanguageOf } from "../../../i18n/languages.ts";
 import { ncLabels } from "../../../i18n/nc-labels.ts";
 import type { Cycle } from "../../../cycles/define.ts";
 import { withOperation } from "../../../program/edits/added-operation.ts";
@@ -42,10 +43,10 @@ function proposalFor(cycle: Cycle, behind: number | null): SetJob {
 
 /** Writes all blocks of the operation, and opens its first prompt. */
 function insertOperation(job: SetJob, title: string, behind: number | null): void {
-  const { language } = useSettings.getState();
+  const ncLanguage = ncLanguageOf(useSettings.getState().language);
   showFile(null);
   const { program } = useSession.getState().reading;
-  const next = withOperation(program, { ...job, ncLanguage: language, output: outputInUse() }, ncLabels(language), { behind, title });
+  const next = withOperation(program, { ...job, ncLanguage, output: outputInUse() }, ncLabels(ncLanguage), { behind, title });
   editProgram(next, null, openingBlock(next, behind === null ? 0 : behind + 1));
   showSection("block");
 }
@@ -82,7 +83,7 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
     const cycle = cycleByNumber(number);
     if (!cycle) return;
     setJob(proposalFor(cycle, behind));
-    setTitle(ncLabels(language).cycleName(number));
+    setTitle(ncLabels(ncLanguageOf(language)).cycleName(number));
     setTool(null);
   };
   const surface = job?.spindle.mode === "surface";

@@ -3,13 +3,13 @@ import { Icon } from "../../../app/base/Icon.tsx";
 import { downloadWorks } from "../../../app/records/rescue.ts";
 import { useEditor } from "../../../app/document/store.ts";
 import { SaveEverything } from "../SaveEverything.tsx";
-import { useDeviceTexts } from "../../../app/base/use-device-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { ReportList } from "./ReportList.tsx";
 import "../works.css";
 
 /** What helps after a fault of the page: the work as a file, everything as a file, and the report to copy. */
 export function CrashHelp() {
-  const { reports } = useDeviceTexts();
+  const { reports } = useTexts("device");
   const [said, say] = useState("");
   const { job, program } = useEditor.getState();
   const work = job ?? program;

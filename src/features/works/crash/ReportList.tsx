@@ -2,7 +2,7 @@ import { useState } from "react";
 import { printedText } from "../../../app/document/printed.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useEditor } from "../../../app/document/store.ts";
-import { useDeviceTexts } from "../../../app/base/use-device-texts.ts";
+import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { forgetReports, reportText, useReports } from "../../../app/records/reports.ts";
 
 /** The text of the open work; null where there is none that can be printed. */
@@ -20,7 +20,7 @@ const copy = (text: string): Promise<"copied" | "notCopied"> =>
 
 /** The faults that were noted on this device: looked at, copied, deleted. */
 export function ReportList({ open = false }: { readonly open?: boolean }) {
-  const { reports: t } = useDeviceTexts();
+  const { reports: t } = useTexts("device");
   const language = useSettings((s) => s.language);
   const { list } = useReports();
   const [chosen, choose] = useState(0);

@@ -1,4 +1,4 @@
-import { typeset } from "../typeset.ts";
+import { typeset } from "../typography/typeset.ts";
 
 /** What each kind of block does, the rule of the control for it, and what is often done wrong with it. */
 export const blockKinds = typeset({

@@ -1,4 +1,4 @@
-import { typeset } from "../typeset.ts";
+import { typeset } from "../typography/typeset.ts";
 
 /** What each word of a block does, by its field, and what is often done wrong with it. */
 export const blockWords = typeset({

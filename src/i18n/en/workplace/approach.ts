@@ -1,0 +1,112 @@
+import type { Shape } from "../../shape.ts";
+
+/** Approach and departure: prompts, picture, choice of a form, and the view of the working plane. Numbers arrive as text. */
+export const approach = {
+  form: (block: string) => `Prompts of ${block}`,
+  approach: "Approach",
+  departure: "Departure",
+  value: (word: string, prompt: string) => `${word}: ${prompt}`,
+  list: "All prompts of the block",
+  empty: "not set",
+  left: "left out",
+  function: "Function",
+  otherForm: "Other form",
+  incremental: "I in front: incremental",
+  parameter: "A Q parameter without a value yet: the picture waits for it.",
+  /* one prompt each */
+  words: {
+    X: {
+      label: "point",
+      prompt: "X of the contour point?",
+      about: "APPR: the first contour point PA. DEP LCT: the end point PN outside the contour.",
+    },
+    Y: {
+      label: "point",
+      prompt: "Y of the contour point?",
+      about: "APPR: the first contour point PA. DEP LCT: the end point PN outside the contour.",
+    },
+    Z: {
+      label: "tool axis",
+      prompt: "Depth or height in the tool axis?",
+      about: "Left out, the tool stays at its height. TNC 640 moves in the plane first, TNC7 in all axes at once.",
+    },
+    turningZ: {
+      label: "point",
+      prompt: "Z of the contour point?",
+      about: "APPR: the first contour point PA. DEP LCT: the end point PN outside the contour.",
+    },
+    PR: { label: "polar radius", prompt: "Distance from the pole CC?", about: "The pole is the CC block before." },
+    PA: { label: "polar angle", prompt: "Angle round the pole CC?", about: "Counted from the first axis, counter-clockwise positive." },
+    LEN: {
+      label: "length",
+      prompt: "Length of the straight piece?",
+      about: "From the auxiliary point PH to PA, or from PE to PN. With LN a minus sign takes the other side.",
+    },
+    CCA: { label: "centre angle", prompt: "Centre angle of the arc?", about: "How far round the arc runs, up to 360°." },
+    R: {
+      label: "radius",
+      prompt: "Radius of the arc?",
+      about: "Radius of the path of the tool centre. With CT a minus sign puts the arc on the side of the workpiece.",
+    },
+    SIDE: {
+      label: "compensation",
+      prompt: "Radius compensation: RL, RR or R0?",
+      about: "RL: the tool runs to the left of the contour, RR: to the right, R0: on the contour itself.",
+    },
+    F: { label: "feed", prompt: "Feed?", about: "From PH on; with LCT from PS on. FMAX and FAUTO are possible." },
+    M: { label: "function", prompt: "Miscellaneous function M?", about: "Several with blanks between them." },
+  },
+  sides: { RL: "left of the contour", RR: "right of the contour", R0: "without compensation" },
+  shapes: {
+    LT: { name: "straight, tangential", about: "A straight line that runs on into the contour." },
+    LN: { name: "straight, perpendicular", about: "A straight line square to the contour." },
+    CT: { name: "arc, tangential", about: "An arc with a centre angle that runs into the contour." },
+    LCT: { name: "line and arc, tangential", about: "A line that touches an arc that runs into the contour: the radius alone fixes it." },
+  },
+  /* the picture */
+  picture: (block: string, points: string) => `Drawing of ${block}. ${points}`,
+  point: (name: string, where: string) => `${name} at ${where}`,
+  points: {
+    PS: "start point",
+    PH: "auxiliary point",
+    PA: "first contour point",
+    PE: "last contour point",
+    PN: "end point",
+    centre: "centre of the arc",
+  },
+  drag: "Drag a point to change its value; the prompts do the same by keyboard.",
+  noPicture: "The picture comes as soon as the point is complete and a contour element stands next to the block.",
+  stale: "Last picture that was possible",
+  pointTable: "Points of the tool centre",
+  lines: { centre: "path of the tool centre", block: "feed of the block", before: "feed from before", rapid: "rapid" },
+  /* choosing */
+  choose: "Choose a form",
+  chooseAbout: "All eight at the same contour, with the same tool.",
+  take: (block: string, name: string) => `${block}: ${name}`,
+  chosen: "chosen",
+  /* the working plane */
+  view: "View of the working plane",
+  viewPicture: (state: string) => `Working plane, X to the right, Y upwards. ${state}`,
+  depth: "Depth",
+  depthStrip: (low: string, high: string) => `Z along the path, from ${low} to ${high}`,
+  free: "Free",
+  pointAt: (name: string, where: string, block: string) => `${name}: ${where}, block ${block}`,
+  feedMove: "Feed",
+  milled: {
+    title: "Milled to Z",
+    depth: (z: string) => `to Z ${z}`,
+    shoulder: (z: string) => `not milled, Z ${z}`,
+    lower: (z: string) => `below Z ${z}`,
+    drawn: "Milled stock is drawn, not proved: a flat tool seen from above, with the radius of its table.",
+    noBlank: "No blank in this plane",
+    tooLong: (most: string) => `More than ${most} motions: the path is drawn without stock.`,
+    noRadius: "A tool without a radius takes nothing in the picture.",
+    rapid: (blocks: string) => `Rapid through standing material: block ${blocks}`,
+  },
+  compensated: "Path of the tool centre",
+  radius: "R",
+  toolUnknown: "tool radius unknown",
+  moves: (count: string) => `Moves (${count})`,
+};
+
+export type ApproachTexts = Shape<typeof approach>;
