@@ -2,7 +2,7 @@ import { beforeEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job/job.ts";
 import { setPrompt } from "./edits.ts";
-import { seen, showGuide, showTools, showWhich, usePlace } from "../place/place.ts";
+import { seen, showGuide, showSheet, showTools, showWhich, usePlace } from "../place/place.ts";
 import { redoStep, undoStep } from "./history.ts";
 import { begin } from "./store.ts";
 
@@ -27,6 +27,14 @@ test("the page of the parameter itself stays: the change is seen there", () => {
   showGuide("guide", String(cycle.number), q);
   undoStep();
   expect(seen(usePlace.getState())).toEqual({ page: "guide", path: ["guide", String(cycle.number), q] });
+});
+
+test("the setup sheet stays: it shows the work", () => {
+  setPrompt(q, "1");
+  showSheet();
+  showTools();
+  undoStep();
+  expect(seen(usePlace.getState()).page).toBe("sheet");
 });
 
 test("with nothing to take back the page stays", () => {

@@ -11,7 +11,7 @@ const changedIn = <E extends { readonly id: string }>(list: readonly E[], before
 
 /**
  * Goes one step through the history and shows what has changed: a row of the tools, a described cycle, or the work with the prompt. Only
- * the page of a parameter is not left for it, which shows the value itself.
+ * the page of a parameter and the setup sheet are not left for it, which show the change themselves.
  */
 function goAndShow(way: keyof Steps, run: () => void): void {
   if (useSteps.getState()[way].length === 0) return;
@@ -23,7 +23,7 @@ function goAndShow(way: keyof Steps, run: () => void): void {
   const prompt = isSameWork ? Object.keys({ ...now, ...then }).find((q) => (now[q] ?? "") !== (then[q] ?? "")) : undefined;
   const page = seen(usePlace.getState());
   if (prompt !== undefined && page.page === "guide" && page.path.includes(prompt)) return;
-  uncoverAll();
+  uncoverAll("sheet");
   if (own !== ownBefore) showOwn(changedIn(own, ownBefore));
   else if (tools !== toolsBefore) showTools(changedIn(tools, toolsBefore));
   else if (prompt !== undefined && usePlace.getState().section === "prompts") openPrompt(prompt, now?.[prompt] ?? "");

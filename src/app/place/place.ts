@@ -143,8 +143,9 @@ export const uncover = (): void =>
     return isCover(seen(p)) ? { pages: [entrance, ...rest.slice(0, -1)], over: null } : { over: null };
   });
 
-/** Closes every cover and dialog, so that the work is seen, or the entrance where none is open. */
-export const uncoverAll = (): void => set((p) => ({ pages: [p.pages[0], ...workPageOf(p)], over: null }));
+/** Closes every cover and dialog but those named, so that the work is seen, or the entrance where none is open. */
+export const uncoverAll = (...but: readonly Cover["page"][]): void =>
+  set((p) => ({ pages: [p.pages[0], ...workPageOf(p), ...p.pages.filter(isCover).filter(({ page }) => but.includes(page))], over: null }));
 
 const showOver = (over: Over): void => set({ over });
 export const closeOver = (): void => set({ over: null });
