@@ -177,12 +177,6 @@ export function readSave(raw: unknown): SaveFile | null {
 /** A work, from plain data that anybody may have written, in the layout of a version; null when it is none. */
 export const plainWork = (raw: unknown, version = SAVE_VERSION): Work | null => readSave({ version, savedAt: 0, job: raw })?.job ?? null;
 
-/** A program with the files beside it, from plain data that anybody may have written; null when it is none. */
-export function readProgram(raw: unknown): ProgramWork | null {
-  const read = program.safeParse(raw);
-  return read.success ? (read.data as ProgramWork) : null;
-}
-
 /** Whether something was saved by a newer edition than this one, which can not read it and must not touch it. */
 export const isNewer = (raw: unknown): boolean =>
   typeof raw === "object" && raw !== null && "version" in raw && typeof raw.version === "number" && raw.version > SAVE_VERSION;

@@ -5,8 +5,10 @@ import { note } from "../document/steps.ts";
 import { isProgram, textsOf, type Work } from "../document/work.ts";
 import { forgetWork, keepWork, readWork } from "./device.ts";
 import { forgetUnkept, keepState, newestState, refreshWorks } from "./keep.ts";
-import { OF_WORKS } from "../document/of-works.ts";
 import { claimWork, owns, releaseWork, sayChanged } from "./tab.ts";
+
+/** What steps of undo are steps of that change the list of works. */
+const OF_WORKS = {};
 
 /** A work as it lies on the device. */
 interface Lying {

@@ -12,8 +12,6 @@ export interface ProgramFiles {
   find(key: string): ProgramFile | null;
 }
 
-export const NO_FILES: ProgramFiles = { find: () => null };
-
 /** What file names are compared by: the folder does not count, nor the case, and a name without an ending is that of a program. */
 export function fileKey(name: string): string {
   const bare = name.trim().replace(/^.*[\\/:]/, "").toUpperCase();

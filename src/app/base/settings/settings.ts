@@ -15,11 +15,9 @@ export type SectionView = (typeof SECTION_VIEWS)[number];
 
 /** All paths, or those of what runs now: its cycle call, its phase, its pass; or none. */
 export const SHOWN_PATHS = ["all", "operation", "phase", "pass", "none"] as const;
-export type ShownPaths = (typeof SHOWN_PATHS)[number];
 
 /** Nothing, the roughness of the finished surface, or what the tool bears along its path. */
 export const SHOWN_COLOURS = ["none", "roughness", "depth", "chip", "feed", "speed"] as const;
-export type ShownColours = (typeof SHOWN_COLOURS)[number];
 
 export const PAPERS = ["a4", "letter"] as const;
 

@@ -18,7 +18,6 @@ export const useLearning = progressRecord.use;
 const change = (by: (progress: CourseProgress) => CourseProgress): void => progressRecord.put(by(progressRecord.now()));
 
 /** What is known of a task, by its id. */
-export const taskProgress = (task: string): TaskProgress => progressOfTask(progressRecord.now(), task);
 export const useTaskProgress = (task: string): TaskProgress => useLearning((s) => progressOfTask(s.list, task));
 
 /** An answer to a task was checked, whether it passed or not. */
