@@ -61,6 +61,7 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
   const isNew = (i: number) => states[i] !== "same";
   const chosen = archive.works.filter((_, i) => isNew(i) && !without.has(i));
   const fresh = archive.works.filter((_, i) => isNew(i)).length;
+  const long = { course: t.courseLong, settings: t.settingsLong };
   const offered = [...tables.filter(({ offer }) => offer && offer.missing !== null), ...boxes.filter(({ offer }) => offer)];
   const nothing = chosen.length === 0 && offered.every(({ group }) => choices[group] === "keep");
   const take = async () => {
@@ -117,7 +118,7 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
               <input type="checkbox" checked={choices[group] !== "keep"} onChange={() =>
                 choose({ ...choices, [group]: choices[group] === "keep" ? "missing" : "keep" })} />
               <span>
-                {t[group]} <span className="small soft">{t[`${group}Long`]}</span>
+                {t[group]} <span className="small soft">{long[group]}</span>
               </span>
             </label>
           )

@@ -24,7 +24,7 @@ const made = (text: string, files: Readonly<Record<string, string>> = {}) => {
   };
   return { program, run: result, of };
 };
-const example = (name: string) => made(readFileSync(new URL(`../examples/${name}.h`, import.meta.url), "utf8"));
+const example = (name: string) => made(readFileSync(new URL(`../../examples/${name}.h`, import.meta.url), "utf8"));
 const whole = ({ firstStep: first, lastStep: last }: { readonly firstStep: number; readonly lastStep: number }): MoveSpan => ({
   first,
   last,

@@ -1,8 +1,7 @@
 import type { Place } from "../camera.ts";
 import { FIGURES } from "../sheet/sizes.ts";
 import { spread } from "../sheet/spread.ts";
-import { arrow, tallOf, lineThrough, onPaperGrid, widthOf, writtenAt, type PrintShape, type PrintSize,
-  type PrintText } from "./paper.ts";
+import { arrow, tallOf, lineThrough, onPaperGrid, widthOf, writtenAt, type PrintShape, type PrintSize, type PrintText } from "./paper.ts";
 
 /** A note that a leader joins to a place of the part. */
 export interface Leader {
