@@ -20,15 +20,15 @@ function roughed(cycle: Cycle, s: Situation, blank: readonly Ring[], leavesOutAi
 const same = (a: readonly Ring[], b: readonly Ring[]) => areaOutside(a, b) + areaOutside(b, a);
 
 /**
- * Roughs a blank in full and without air cuts, and gives back what stands then. An insert may reach across the axis in passes through the
- * air alone: roughing in full is refused then, and there is nothing to compare.
+ * Roughs a blank in full and without air cuts, and gives back what stands then; null where there is nothing to compare. So it is where an
+ * insert reaches across the axis in passes through the air alone: roughing in full is refused.
  */
-function bothWays(cycle: Cycle, s: Situation, blank: readonly Ring[]) {
+function bothWays(cycle: Cycle, s: Situation, blank: readonly Ring[]): readonly Ring[] | null {
   const [full, short] = [roughed(cycle, s, blank, false), roughed(cycle, s, blank, true)];
-  if (full.plan.issues.some((i) => i.code === "insertAcrossAxis")) return blank;
+  if (full.plan.issues.some((i) => i.code === "insertAcrossAxis")) return null;
   expect(short.simulation.proof.gouge).toBe(0);
   // Called from a height within the material, roughing in full comes back through it at rapid; what that tears away is no cut.
-  if (full.simulation.proof.rapidInStock > 0) return full.simulation.final;
+  if (full.simulation.proof.rapidInStock > 0) return null;
   expect(same(full.simulation.final, short.simulation.final)).toBeLessThan(0.05);
   if (!startsBadly(full.plan)) expect(short.simulation.proof.rapidInStock).toBe(0);
   expect(short.plan.passes).toBeLessThanOrEqual(full.plan.passes);
@@ -43,7 +43,8 @@ const LEVELLED: readonly string[] = ["longitudinal", "transverse"];
 describe.each(situations(1).filter(({ cycle }) => LEVELLED.includes(cycle.group)))("cycle $cycle.number", ({ cycle, arbitrary }) => {
   test("cuts the same without its cuts in the air, and again in what it has left", () => {
     fc.assert(fc.property(arbitrary, (s) => {
-      bothWays(cycle, s, bothWays(cycle, s, s.blank));
+      const left = bothWays(cycle, s, s.blank);
+      if (left) bothWays(cycle, s, left);
     }), { numRuns: casesOf(cycle, CASES) });
   });
 });
