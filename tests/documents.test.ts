@@ -1,4 +1,4 @@
-import { existsSync } from "node:fs";
+import { existsSync, readdirSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { describe, expect, test } from "vitest";
 import { cycleSvg } from "../scripts/cycle-picture.ts";
@@ -30,14 +30,21 @@ describe("pages written from the catalogue", () => {
 describe("what documents name exists", () => {
   const documents = [
     "README.md",
+    "CONTRIBUTING.md",
     ...["docs", "docs/decisions"].flatMap((folder) => projectFolder(folder).filter((n) => n.endsWith(".md")).map((n) => `${folder}/${n}`)),
   ];
+  const known = ["src", "tests", "e2e", "scripts"].flatMap((folder) =>
+    readdirSync(projectPath(folder), { recursive: true, encoding: "utf8" }).map((name) => `/${folder}/${name.replaceAll("\\", "/")}`)
+  );
   test.each(documents)("%s", (path) => {
     const text = projectFile(path);
     const links = [...text.matchAll(/\]\(([^)#\s]+)[^)]*\)/g)].map(([, to = ""]) => to).filter((to) => !/^[a-z]+:/.test(to));
     const files = [...text.matchAll(/`((?:src|tests|e2e|scripts|docs)\/[\w./-]+)`/g)].map(([, to = ""]) => to);
     const missing = [...links.map((to) => join(dirname(path), to)), ...files].filter((to) => !existsSync(projectPath(to)));
-    expect(missing).toEqual([]);
+    // A file may be named by the end of its path.
+    const short = [...text.matchAll(/`((?!dist\/)[\w.-]+\/[\w./-]+\.(?:tsx?|mjs|css))`/g)].map(([, to = ""]) => to);
+    const lost = short.filter((to) => !known.some((each) => each.endsWith(`/${to}`)));
+    expect([...missing, ...lost]).toEqual([]);
   });
 
   test("the commands of the README are scripts of package.json", () => {
