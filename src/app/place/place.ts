@@ -94,7 +94,10 @@ export const usePlace = create<Place>(() => ({
 
 /** The page that is seen. */
 export const seen = ({ pages }: Place): Page => pages.at(-1) ?? pages[0];
-const isCover = (page: Page): page is Cover => ["sheet", "tools", "own", "guide"].includes(page.page);
+const COVERS: Readonly<Record<Cover["page"], true>> = { sheet: true, tools: true, own: true, guide: true };
+/** Whether a page, or what an address calls one, covers others. */
+export const isCover = <P extends { readonly page: string }>(page: P): page is Extract<P, { readonly page: Cover["page"] }> =>
+  Object.hasOwn(COVERS, page.page);
 const workPageOf = ({ pages }: Place): WorkPage[] => pages.filter((p) => p.page === "work" || p.page === "elsewhere");
 const set = usePlace.setState;
 

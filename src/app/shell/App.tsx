@@ -12,7 +12,7 @@ import { fetchAtRest } from "../base/rest.ts";
 import { useKeeping } from "../records/keep.ts";
 import { fetchShownTexts, useTexts } from "../base/settings/use-texts.ts";
 import { useEditor } from "../document/store.ts";
-import { closeOver, elsewhere, seen, usePlace, type Page } from "../place/place.ts";
+import { closeOver, elsewhere, isCover, seen, usePlace, type Page } from "../place/place.ts";
 import { useBringing } from "../records/bring-in-place.ts";
 import { fetchCompareDialog } from "../../features/compare/index.ts";
 import { IncomingTaught, TaskLine } from "../../features/course/first.ts";
@@ -91,9 +91,6 @@ const PAGES: Readonly<Record<Page["page"], ComponentType>> = {
   guide: GuidePage,
 };
 
-/** Pages that a task is not worked on. */
-const WITHOUT_TASK: readonly Page["page"][] = ["sheet", "tools", "own", "guide"];
-
 /** The page: the top line, what is seen, and what lies over it. */
 export function App() {
   const ready = useKeeping((k) => k.ready);
@@ -124,7 +121,7 @@ export function App() {
         )}
       </div>
       <HandedLine />
-      {ready && !WITHOUT_TASK.includes(page) && <TaskLine />}
+      {ready && !isCover({ page }) && <TaskLine />}
       {ready && (
         <Suspense>
           <Seen />

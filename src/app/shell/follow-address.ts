@@ -1,7 +1,7 @@
 import { z } from "zod/mini";
 import { keptData } from "../base/kept.ts";
 import { useEditor } from "../document/store.ts";
-import { usePlace } from "../place/place.ts";
+import { isCover, usePlace } from "../place/place.ts";
 import { isShareLink, parseAddress, printAddress } from "../place/address.ts";
 import { goTo, here } from "./here.ts";
 
@@ -45,9 +45,7 @@ const REST = 400;
 /** Pages over the work that have a button of their own to leave them. */
 const isOver = (hash: string): boolean => {
   const address = parseAddress(hash);
-  return address !== null
-    && (address.page === "sheet" || address.page === "tools" || address.page === "own" || address.page === "guide"
-      || (address.page === "work" && address.which));
+  return address !== null && (isCover(address) || (address.page === "work" && address.which));
 };
 
 /** Rows of one table are one place: going through them is no journey. */
